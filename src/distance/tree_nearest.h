@@ -4,9 +4,9 @@
 #include "geometry/vector.h"
 #include "surface/buffer.h"
 
-/// Facets, triangles or in the plane edges, chosen among those of a surface.  All
-/// arrays are borrowed.  Coordinates are of a size of about 1: squares of them
-/// neither overflow nor vanish.
+/// Facets, triangles or in the plane edges, chosen among those of a surface.
+/// All arrays are borrowed.  Coordinates are of a size of about 1: squares of
+/// them neither overflow nor vanish.
 typedef struct tf_chosen_facets {
     int axes;          ///< 2 or 3
     int count;         ///< how many are chosen
@@ -21,8 +21,8 @@ typedef struct tf_tree_box {
 } tf_tree_box;
 
 /// A binary tree of boxes around facets in Morton order.  Node i is around the
-/// nodes 2 i and 2 i + 1; the root is 1, and the leaves are the last half of all
-/// nodes.
+/// nodes 2 i and 2 i + 1; the root is 1, and the leaves are the last half of
+/// all nodes.
 typedef struct tf_nearest_tree {
     tf_chosen_facets facets;
     int leaves;       ///< a power of two

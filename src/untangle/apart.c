@@ -297,9 +297,9 @@ static double trial_length(const parts *all, double trial)
 
 //: Shorten a translation
 /// Halves the step from the last trial, in which the part was not free, to this
-/// one.
-static void shorten(const parts *all, int turn, tf_vector direction, int trial,
-                    int *last)
+/// one; returns how long the translation then is.
+static double shorten(const parts *all, int turn, tf_vector direction,
+                      int trial, int *last)
 {
     double low = trial_length(all, trial - 1), high = trial_length(all, trial);
     for (int i = 0; i < HALVINGS; i++) {
@@ -309,30 +309,45 @@ static void shorten(const parts *all, int turn, tf_vector direction, int trial,
         else
             low = middle;
     }
-    all->order[turn]->offset = tf_vector_scaled(high, direction);
+    return high;
+}
+
+//: Try all directions
+/// Finds the least translation of a trial that frees a part, in `offset`; its
+/// length, 0 if there is none, or -1 if the caller cancels.
+static double try_directions(const parts *all, int turn, int trial,
+                             tf_vector *offset, int *last)
+{
+    tf_vector direction[26];
+    int count = list_directions(all->tangle->near.axes, direction);
+    double least = 0, most = trial_length(all, trial);
+    for (int i = 0; i < count; i++) {
+        if (!tf_watch_work(all->tangle->watch, 64 + (size_t)turn))
+            return -1;
+        if (!is_free(all, turn, tf_vector_scaled(most, direction[i]), last))
+            continue;
+        double length = shorten(all, turn, direction[i], trial, last);
+        if (least > 0 && least <= length)
+            continue;
+        least = length;
+        *offset = tf_vector_scaled(length, direction[i]);
+    }
+    return least;
 }
 
 //: Find the place of a part
 static bool find_place(parts *all, int turn)
 {
-    tf_vector direction[26], none = {{0, 0, 0}};
-    int count = list_directions(all->tangle->near.axes, direction), last = turn;
+    tf_vector none = {{0, 0, 0}}, offset = none;
+    int last = turn;
+    double length = 0;
     part *own = all->order[turn];
     if (own->stays || (!own->meets && is_free(all, turn, none, &last)))
         return true;
-    for (int trial = 1; trial < MOST_TRIALS; trial++)
-        for (int i = 0; i < count; i++) {
-            double length = trial_length(all, trial);
-            if (!tf_watch_work(all->tangle->watch, 64 + (size_t)turn))
-                return false;
-            if (is_free(all, turn, tf_vector_scaled(length, direction[i]),
-                        &last)) {
-                shorten(all, turn, direction[i], trial, &last);
-                return true;
-            }
-        }
-    own->offset = none;
-    return true;
+    for (int trial = 1; trial < MOST_TRIALS && length == 0; trial++)
+        length = try_directions(all, turn, trial, &offset, &last);
+    own->offset = offset;
+    return length >= 0;
 }
 
 //: Move parts apart

@@ -17,7 +17,7 @@ enum {
     USUAL_ROUNDS = 300,  ///< of an attempt
     RELAX_ROUNDS = 4000, ///< of the last one
     CHECK_EVERY = 4,     ///< of its rounds
-    IDLE_CHECKS = 200     ///< after which it ends
+    IDLE_CHECKS = 200    ///< after which it ends
 };
 
 static bool may(const tf_attempts *all, int rung)

@@ -43,7 +43,7 @@ bool tf_smooth(tf_change *change, const tf_tangle *tangle, const double x[],
             continue;
         smoothing own = look_around(all, x, v);
         if (own.rims > 0)
-            change->move[v] = tf_vector_scaled(0.25, own.rim_sum);
+            change->move[v] = tf_vector_scaled(0.5 / own.rims, own.rim_sum);
         else if (own.count > 0)
             change->move[v] = tf_vector_scaled(0.5 / own.count, own.sum);
     }

@@ -29,16 +29,16 @@
 ///
 /// The result is the same, to the last bit, for any number of threads.
 ///
-/// @param resolver a resolver of the surface.  What a filter of the surface leaves
-///     out may intersect
+/// @param resolver a resolver of the surface.  What a filter of the surface
+///     leaves out may intersect
 /// @param vertices how many vertices have positions
 /// @param in where they are, three coordinates each, in the plane two
 /// @param[out] out where they end; may be the same array as `in`; set only with
 ///     TF_OK
 /// @param options how; NULL: all zero
 /// @param[out] report what was done; set only with TF_OK; may be NULL
-/// @param[out] left the intersections of `out`, lent until the next call for the
-///     surface; set only with TF_OK; may be NULL
+/// @param[out] left the intersections of `out`, lent until the next call for
+///     the surface; set only with TF_OK; may be NULL
 /// @param[out] error what is wrong, if anything; may be NULL
 /// @return TF_OK; TF_BAD_COUNT if the surface has another number of vertices;
 ///     TF_NOT_FINITE; TF_BAD_OPTION; TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or

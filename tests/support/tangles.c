@@ -76,8 +76,8 @@ void tangle_make_bump(made_tangle *own, double depth)
 void tangle_finish(made_tangle *own)
 {
     own->surface = surface_of(&own->mesh);
-    own->tangle = (tf_tangle){
-        .surface = own->surface, .fixed = own->fixed, .in = own->x};
+    own->tangle =
+        (tf_tangle){.surface = own->surface, .fixed = own->fixed, .in = own->x};
     ck_assert(tf_tangle_begin(&own->tangle));
     tangle_check(own);
 }

@@ -24,8 +24,9 @@ static void release(void)
 START_TEST(an_edge_through_a_triangle_is_a_point)
 {
     tangle_begin(&own, 3);
-    tangle_add(&own, 6, (double[]){0, 0, 0, 4, 0, 0, 0, 4, 0, //
-                                   1, 1, -1, 1, 1, 3, 9, 9, 3});
+    tangle_add(&own, 6,
+               (double[]){0, 0, 0, 4, 0, 0, 0, 4, 0, //
+                          1, 1, -1, 1, 1, 3, 9, 9, 3});
     tangle_add_triangle(&own, 0, 1, 2);
     tangle_add_triangle(&own, 3, 4, 5);
     tangle_finish(&own);
@@ -48,8 +49,9 @@ END_TEST
 START_TEST(what_only_touches_has_no_point)
 {
     tangle_begin(&own, 3);
-    tangle_add(&own, 6, (double[]){0, 0, 0, 4, 0, 0, 0, 4, 0, //
-                                   1, 1, 0, 1, 1, 3, 9, 9, 3});
+    tangle_add(&own, 6,
+               (double[]){0, 0, 0, 4, 0, 0, 0, 4, 0, //
+                          1, 1, 0, 1, 1, 3, 9, 9, 3});
     tangle_add_triangle(&own, 0, 1, 2);
     tangle_add_triangle(&own, 3, 4, 5);
     tangle_finish(&own);
@@ -92,10 +94,9 @@ START_TEST(points_lie_where_they_should)
     const tf_neighbors *near = &own.tangle.near;
     for (size_t i = 0; i < curves.count; i++) {
         const tf_curve_point *point = &curves.point[i];
-        tf_vector corner =
-            tf_place(near, own.x, near->facet[3 * point->facet]);
-        double off = tf_vector_dot(
-            tf_vector_difference(point->place, corner), point->normal);
+        tf_vector corner = tf_place(near, own.x, near->facet[3 * point->facet]);
+        double off = tf_vector_dot(tf_vector_difference(point->place, corner),
+                                   point->normal);
         ck_assert_double_le(fabs(off), 1e-14);
         ck_assert_double_ge(point->at, 0);
         ck_assert_double_le(point->at, 1);

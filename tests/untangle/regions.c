@@ -55,8 +55,8 @@ START_TEST(members_are_listed_once)
         ck_assert_int_eq(start[r + 1] - start[r], regions.size[r]);
         for (int i = start[r]; i < start[r + 1]; i++) {
             ck_assert_int_eq(regions.region[regions.members.item[i]], r);
-            ck_assert(i == start[r] || regions.members.item[i - 1] <
-                                           regions.members.item[i]);
+            ck_assert(i == start[r] ||
+                      regions.members.item[i - 1] < regions.members.item[i]);
         }
     }
     release();
@@ -83,15 +83,16 @@ START_TEST(the_preferred_half_is_right)
 {
     tangle_begin(&own, 3);
     // A strip that a triangle cuts in two halves, three vertices and three.
-    tangle_add(&own, 6, (double[]){-2, 0, 0, -2, 1, 0, -1, 0.5, 0, //
-                                   1, 0.5, 0, 2, 0, 0, 2, 1, 0});
+    tangle_add(&own, 6,
+               (double[]){-2, 0, 0, -2, 1, 0, -1, 0.5, 0, //
+                          1, 0.5, 0, 2, 0, 0, 2, 1, 0});
     tangle_add_triangle(&own, 0, 1, 2);
     tangle_add_triangle(&own, 3, 4, 5);
     tangle_add_triangle(&own, 0, 2, 3);
     tangle_add_triangle(&own, 1, 2, 3);
     tangle_add_triangle(&own, 0, 3, 4);
-    int wall = tangle_add(
-        &own, 3, (double[]){0.1, -9, -9, 0.1, 9, -9, 0.1, 0, 20});
+    int wall =
+        tangle_add(&own, 3, (double[]){0.1, -9, -9, 0.1, 9, -9, 0.1, 0, 20});
     tangle_add_triangle(&own, wall, wall + 1, wall + 2);
     tangle_finish(&own);
     find((int[]){-1, -1});

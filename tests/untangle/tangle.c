@@ -1,4 +1,4 @@
-// A surface that is being untangled: its sizes, its check, what nothing can end.
+// A surface that is being untangled: its sizes, and what crosses.
 #include "untangle/tangle.h"
 
 #include "support/support.h"
@@ -10,8 +10,9 @@ static made_tangle own;
 static void make_two_triangles(void)
 {
     tangle_begin(&own, 3);
-    tangle_add(&own, 6, (double[]){0, 0, 0, 4, 0, 0, 0, 4, 0, //
-                                   1, 1, -1, 1, 1, 1, 9, 9, 1});
+    tangle_add(&own, 6,
+               (double[]){0, 0, 0, 4, 0, 0, 0, 4, 0, //
+                          1, 1, -1, 1, 1, 1, 9, 9, 1});
     tangle_add_triangle(&own, 0, 1, 2);
     tangle_add_triangle(&own, 3, 4, 5);
     tangle_finish(&own);

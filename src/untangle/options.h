@@ -14,14 +14,14 @@
 /// What an untangling tries, in this order; each where those before it get no
 /// further.  A rung is a bit, so that several can be added up.
 typedef enum tf_untangle_rung {
-    TF_PUSH = 1,     ///< push what is on the wrong side of a crossing curve out
-                     ///< through the surface that it has passed
-    TF_SMOOTH = 2,   ///< smooth what is near the crossings
-    TF_AGAIN = 4,    ///< begin anew, with the other side taken for the wrong one
-    TF_APART = 8,    ///< move whole parts apart: a jump, which is no motion
-    TF_RELAX = 16,   ///< smooth everything
-    TF_RETURN = 32   ///< from a clear state back towards the input, as far as
-                     ///< it is clear: a motion without contacts
+    TF_PUSH = 1,   ///< push what is on the wrong side of a crossing curve out
+                   ///< through the surface that it has passed
+    TF_SMOOTH = 2, ///< smooth what is near the crossings
+    TF_AGAIN = 4,  ///< begin anew, with the other side taken for the wrong one
+    TF_APART = 8,  ///< move whole parts apart: a jump, which is no motion
+    TF_RELAX = 16, ///< smooth everything
+    TF_RETURN = 32 ///< from a clear state back towards the input, as far as
+                   ///< it is clear: a motion without contacts
 } tf_untangle_rung;
 
 //: Declare how to untangle
@@ -42,23 +42,24 @@ typedef struct tf_untangle_options {
 //: Declare the report of an untangling
 /// What an untangling did.  Later versions may add to its end.
 typedef struct tf_untangle_report {
-    size_t before; ///< intersections of the input
-    size_t left;   ///< those of the output; 0: it is clear
-    size_t beyond; ///< of those of the output, those of fixed vertices alone,
-                   ///< which nothing can end
-    int parts;     ///< connected parts of the surface
-    int rounds;    ///< of all rungs before the return
-    int rungs;     ///< the sum of those that moved something
-    int moved;     ///< how many vertices are not where they were
-    double farthest;   ///< the most that one has moved, a length
-    double mean;       ///< by how much those that moved have, on average
-    double deviation;  ///< the root of the mean of the squares, over all vertices
-    double found;      ///< that of the clear state, before the return; 0 if no
-                       ///< clear state was found
-    double edge;       ///< the mean length of the input's edges
-    int stretched;     ///< edges whose length has grown or shrunk by more than
-                       ///< a factor of 1.5
-    double stretch;    ///< the largest factor, grown or shrunk, at least 1
+    size_t before;   ///< intersections of the input
+    size_t left;     ///< those of the output; 0: it is clear
+    size_t beyond;   ///< of those of the output, those of fixed vertices alone,
+                     ///< which nothing can end
+    int parts;       ///< connected parts of the surface
+    int rounds;      ///< of all rungs before the return
+    int rungs;       ///< the sum of those that moved something
+    int moved;       ///< how many vertices are not where they were
+    double farthest; ///< the most that one has moved, a length
+    double mean;     ///< by how much those that moved have, on average
+    double
+        deviation;  ///< the root of the mean of the squares, over all vertices
+    double found;   ///< that of the clear state, before the return; 0 if no
+                    ///< clear state was found
+    double edge;    ///< the mean length of the input's edges
+    int stretched;  ///< edges whose length has grown or shrunk by more than
+                    ///< a factor of 1.5
+    double stretch; ///< the largest factor, grown or shrunk, at least 1
     double volume_before; ///< the sum of the volumes that closed parts enclose,
                           ///< negative if they are inside out; in the plane,
                           ///< areas

@@ -31,7 +31,7 @@
 /// @return TF_OK; TF_BAD_COUNT if the surface has another number of vertices;
 ///     TF_BAD_OPTION; TF_NOT_FINITE; TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY
 TF_API tf_status tf_surface_zones(tf_surface *surface, int vertices,
-                                  const double position[], int rings, int zone[],
-                                  int *zones, tf_error *error);
+                                  const double position[], int rings,
+                                  int zone[], int *zones, tf_error *error);
 
 /// @}

@@ -1,6 +1,7 @@
 #include "kit/crossing_curves.h"
 
 #include "base/require.h"
+#include "untangle/regions.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -119,75 +120,34 @@ static void find_pieces(fig_crossing_curves *curves, const fig_some_mesh *mesh,
 
 // What they cut --------------------------------------------------------------
 
-static int root_of(int above[], int i)
+/// What the library takes for wrong.
+static void find_regions(fig_crossing_curves *curves, tf_surface *surface,
+                         int vertices, const double x[])
 {
-    while (above[i] != i)
-        i = above[i] = above[above[i]];
-    return i;
-}
-
-static void join(int above[], int a, int b)
-{
-    a = root_of(above, a);
-    b = root_of(above, b);
-    above[a > b ? a : b] = a < b ? a : b;
-}
-
-/// Let all vertices know the lowest vertex of what they are joined to.  Returns
-/// how many such sets there are.
-static int flatten(int count, int above[])
-{
-    int sets = 0;
-    for (int i = 0; i < count; i++) {
-        above[i] = root_of(above, i);
-        sets += above[i] == i;
+    tf_tangle tangle = {.surface = surface,
+                        .fixed = allocate((size_t)vertices, sizeof(bool)),
+                        .in = x};
+    tf_curves found = {0};
+    tf_regions regions = {0};
+    TF_REQUIRE(tf_tangle_begin(&tangle) && tf_tangle_check(&tangle, x) == TF_OK &&
+               tf_curves_find(&found, &tangle, x));
+    int *preferred = allocate((size_t)tangle.near.parts, sizeof *preferred);
+    for (int i = 0; i < tangle.near.parts; i++)
+        preferred[i] = -1;
+    TF_REQUIRE(tf_regions_find(&regions, &tangle, &found, preferred));
+    curves->parts = tangle.near.parts;
+    curves->regions = regions.count;
+    for (int v = 0; v < vertices; v++) {
+        curves->part[v] = tangle.near.part[v];
+        curves->wrong[v] =
+            tf_is_wrong(&regions, &tangle.near, regions.region[v]);
+        curves->wrongs += curves->wrong[v];
     }
-    return sets;
-}
-
-static void find_cut_edges(fig_crossing_curves *curves,
-                           const tf_crossings *found)
-{
-    for (size_t i = 0; i < found->count; i++)
-        for (int e = 0; e < curves->edges; e++)
-            if (found->crossing[i].kind == TF_EDGE_THROUGH_TRIANGLE &&
-                memcmp(curves->edge + 2 * (ptrdiff_t)e,
-                       found->crossing[i].vertex, 2 * sizeof(int)) == 0)
-                curves->cut[e] = true;
-}
-
-static void find_wrong(fig_crossing_curves *curves, int vertices)
-{
-    int *size = allocate((size_t)vertices, sizeof *size);
-    int *largest = allocate((size_t)vertices, sizeof *largest);
-    for (int i = 0; i < vertices; i++)
-        size[curves->region[i]]++;
-    for (int i = 0; i < vertices; i++)
-        largest[i] = curves->part[i];
-    for (int i = 0; i < vertices; i++)
-        if (size[curves->region[i]] > size[largest[curves->part[i]]])
-            largest[curves->part[i]] = curves->region[i];
-    for (int i = 0; i < vertices; i++) {
-        curves->wrong[i] = curves->region[i] != largest[curves->part[i]];
-        curves->wrongs += curves->wrong[i];
-    }
-    free(size);
-    free(largest);
-}
-
-static void find_regions(fig_crossing_curves *curves, int vertices)
-{
-    for (int i = 0; i < vertices; i++)
-        curves->part[i] = curves->region[i] = i;
-    for (int e = 0; e < curves->edges; e++) {
-        const int *v = curves->edge + 2 * (ptrdiff_t)e;
-        join(curves->part, v[0], v[1]);
-        if (!curves->cut[e])
-            join(curves->region, v[0], v[1]);
-    }
-    curves->parts = flatten(vertices, curves->part);
-    curves->regions = flatten(vertices, curves->region);
-    find_wrong(curves, vertices);
+    tf_regions_free(&regions);
+    tf_curves_free(&found);
+    tf_tangle_end(&tangle);
+    free(preferred);
+    free((void *)tangle.fixed);
 }
 
 fig_crossing_curves fig_crossing_curves_find(const fig_some_mesh *mesh,
@@ -201,19 +161,12 @@ fig_crossing_curves fig_crossing_curves_find(const fig_some_mesh *mesh,
     TF_REQUIRE(tf_surface_check(surface, mesh->vertices, x, NULL, &found,
                                 NULL) == TF_OK);
     size_t vertices = (size_t)mesh->vertices;
-    const int *edge = tf_surface_edges(surface, &curves.edges);
-    size_t edges = (size_t)curves.edges;
     curves.crossings = found.count;
-    curves.edge = allocate(2 * edges, sizeof(int));
-    memcpy(curves.edge, edge, 2 * edges * sizeof(int));
-    curves.cut = allocate(edges, sizeof(bool));
     curves.part = allocate(vertices, sizeof(int));
-    curves.region = allocate(vertices, sizeof(int));
     curves.wrong = allocate(vertices, sizeof(bool));
     curves.crosses = allocate((size_t)mesh->triangles, sizeof(bool));
     find_pieces(&curves, mesh, x, &found);
-    find_cut_edges(&curves, &found);
-    find_regions(&curves, mesh->vertices);
+    find_regions(&curves, surface, mesh->vertices, x);
     tf_surface_free(surface);
     return curves;
 }
@@ -222,10 +175,7 @@ void fig_crossing_curves_free(fig_crossing_curves *curves)
 {
     free(curves->piece);
     free(curves->crosses);
-    free(curves->edge);
-    free(curves->cut);
     free(curves->part);
-    free(curves->region);
     free(curves->wrong);
     *curves = (fig_crossing_curves){0};
 }

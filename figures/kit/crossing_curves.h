@@ -21,11 +21,8 @@ typedef struct fig_crossing_curves {
     int pieces;
     fig_curve_piece *piece;
     bool *crosses; ///< of each triangle: it intersects another one
-    int edges;
-    int *edge; ///< two vertices each
-    bool *cut; ///< of each edge: it passes through a triangle
-    int *part, *region; ///< of each vertex, numbered by their lowest vertices
-    bool *wrong; ///< of each vertex: it is not of its part's largest region
+    int *part;   ///< of each vertex
+    bool *wrong; ///< of each vertex: the library takes its region for wrong
     int parts, regions, wrongs;
 } fig_crossing_curves;
 

@@ -9,10 +9,7 @@ fig_role fig_part_role(const fig_crossing_curves *curves, int vertex)
     static const fig_role roles[COLORS] = {FIG_ROLE_TRIANGLE, FIG_ROLE_EDGE,
                                            FIG_ROLE_POINT,
                                            FIG_ROLE_OTHER_EDGE};
-    int number = 0;
-    for (int v = 0; v < curves->part[vertex]; v++)
-        number += curves->part[v] == v;
-    return roles[number % COLORS];
+    return roles[curves->part[vertex] % COLORS];
 }
 
 typedef struct painted {
@@ -28,12 +25,11 @@ static bool paint_part(const void *context, int triangle, fig_paint *paint)
     return true;
 }
 
-size_t fig_tangle_draw(fig_page *page, fig_box box, const fig_tangle *tangle,
-                       const double x[])
+size_t fig_tangle_draw_in(fig_panel *panel, const fig_tangle *tangle,
+                          const double x[])
 {
     const fig_some_mesh *mesh = &tangle->mesh;
     fig_crossing_curves curves = fig_crossing_curves_find(mesh, x);
-    fig_panel *panel = fig_page_panel(page, box);
     fig_scene *scene = fig_panel_scene(panel);
     fig_panel_look(panel, tangle->camera);
     fig_panel_margin(panel, 5);
@@ -45,4 +41,10 @@ size_t fig_tangle_draw(fig_page *page, fig_box box, const fig_tangle *tangle,
     size_t crossings = curves.crossings;
     fig_crossing_curves_free(&curves);
     return crossings;
+}
+
+size_t fig_tangle_draw(fig_page *page, fig_box box, const fig_tangle *tangle,
+                       const double x[])
+{
+    return fig_tangle_draw_in(fig_page_panel(page, box), tangle, x);
 }

@@ -382,7 +382,7 @@ static const struct {
     {"arm in torso", make_arm_in_torso, 25, 24},
     {"arm through torso", make_arm_through_torso, 25, 24},
     {"loop", make_loop, 10, 50},
-    {"fold", make_fold, 25, 18},
+    {"fold", make_fold, 30, 32},
     {"sheets at 10", make_sheets_10, 25, 24},
     {"half way in", make_half_way, 35, 24},
     {"five layers", make_layers, 25, 24},

@@ -248,9 +248,11 @@ static void make_half_way(fig_some_mesh *mesh)
 {
     add_turned_sheet(mesh, 0, 0, 1, 16);
     int first = mesh->vertices;
-    add_turned_sheet(mesh, 0.011, 90, 0.8, 13);
-    for (int i = first; i < mesh->vertices; i++)
+    add_turned_sheet(mesh, 0.011, 78, 0.8, 13);
+    for (int i = first; i < mesh->vertices; i++) {
         mesh->x[3 * (ptrdiff_t)i + 1] -= 0.93;
+        mesh->x[3 * (ptrdiff_t)i] += 0.06 * mesh->x[3 * (ptrdiff_t)i + 1];
+    }
 }
 
 static void make_bump(fig_some_mesh *mesh)

@@ -16,12 +16,12 @@ enum {
 static const double most = 0.45;
 
 static const struct {
-    const char *name, *key;
+    const char *key;
     fig_role role;
     double by[3];
-} ways[WAYS] = {{"along the curve", "along", FIG_ROLE_CONTACT, {0, -1, 0}},
-                {"across, in the plane", "across", FIG_ROLE_TRIANGLE, {1, 0, 0}},
-                {"up", "up", FIG_ROLE_EDGE, {0, 0, 1}}};
+} ways[WAYS] = {{"along", FIG_ROLE_CONTACT, {0, -1, 0}},
+                {"across", FIG_ROLE_POINT, {1, 0, 0}},
+                {"up", FIG_ROLE_EDGE, {0, 0, 1}}};
 
 /// The length of the curve if the second part has moved.
 static double length_after(const fig_tangle *tangle, const double by[3],
@@ -77,6 +77,14 @@ static void draw_tangle(fig_page *page, const fig_tangle *tangle, fig_box box)
     }
 }
 
+static void name_line(fig_page *page, const fig_plot *plot, double x, double y,
+                      const char *text, fig_role role)
+{
+    fig_point at = fig_plot_place(plot, x, y);
+    fig_page_text(page, at.x, at.y, FIG_ALIGN_CENTER, text, FIG_LETTERS_SMALL,
+                  role);
+}
+
 static void draw(fig_page *page, FILE *numbers)
 {
     fig_tangle tangle = fig_tangle_make("half way in");
@@ -89,6 +97,8 @@ static void draw(fig_page *page, FILE *numbers)
     fig_plot_frame(page, &plot);
     for (int i = 0; i < WAYS; i++)
         draw_way(page, &plot, &tangle, i, numbers);
+    name_line(page, &plot, 0.16, 0.93, "across it, or up", FIG_ROLE_INK);
+    name_line(page, &plot, 0.16, 0.48, "along the curve", FIG_ROLE_CONTACT);
     fig_number(numbers, "half", most * (STEPS / 2) / (STEPS - 1));
     fig_tangle_free(&tangle);
 }

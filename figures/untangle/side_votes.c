@@ -54,10 +54,9 @@ static void make_curves(curves *c)
         double s = lower ? 2. * v / (LOWER - 1) - 1
                          : 2. * (v - LOWER) / (UPPER - 1) - 1;
         if (lower)
-            place(c, v, 1.5 * s, 0.07 * sin(3 * s + 0.5));
+            place(c, v, 1.05 * s, 0.06 * sin(3 * s + 0.5));
         else
-            place(c, v, 1.5 * s + 0.35 * s * (s * s - 1),
-                  0.42 - 0.86 * exp(-6.5 * s * s) + 0.03 * s);
+            place(c, v, 1.05 * s, 0.34 - 0.74 * exp(-5 * s * s) + 0.03 * s);
         if (v == LOWER - 1 || v == VERTICES - 1)
             continue;
         c->edge[e++] = v;
@@ -173,7 +172,7 @@ static void find_push(curves *c)
 static void look(curves *c)
 {
     find_crossings(c);
-    c->mean = 3. / (UPPER - 1);
+    c->mean = 2.1 / (UPPER - 1);
     for (int v = 0; v < VERTICES; v++)
         c->wrong[v] = between(c, v, v >= LOWER);
     for (int i = 0; i < CROSSINGS; i++)
@@ -231,7 +230,7 @@ static void draw_votes(fig_page *page, const fig_plot *plot, const curves *c)
 {
     for (int i = 0; i < CROSSINGS; i++) {
         fig_point n = normal_of(c, c->crossed[i][0]), p = crossing_of(c, i);
-        double way = 0.34 * vote(c, i);
+        double way = 0.25 * vote(c, i);
         draw_arrow(page, plot, p, (fig_point){way * n.x, way * n.y},
                    FIG_ROLE_CONTACT);
         fig_plot_dot(page, plot, p.x, p.y, FIG_WIDTH_BALL, FIG_ROLE_CONTACT);
@@ -242,8 +241,8 @@ static fig_plot panel(fig_page *page, int i, const char *title)
 {
     double width = fig_page_width(page) / PANELS;
     fig_plot plot = {.box = {width * i + 4, 18, width - 8, 92},
-                     .x = {-1.55, 1.55},
-                     .y = {-0.58, -0.58 + 3.1 * 92 / (width - 8)}};
+                     .x = {-1.08, 1.08},
+                     .y = {-0.5, -0.5 + 2.16 * 92 / (width - 8)}};
     fig_page_title(page, plot.box, title);
     return plot;
 }

@@ -14,14 +14,17 @@
 /// What an untangling tries, in this order; each where those before it get no
 /// further.  A rung is a bit, so that several can be added up.
 typedef enum tf_untangle_rung {
-    TF_PUSH = 1,   ///< push what is on the wrong side of a crossing curve out
-                   ///< through the surface that it has passed
-    TF_SMOOTH = 2, ///< smooth what is near the crossings
-    TF_AGAIN = 4,  ///< begin anew, with the other side taken for the wrong one
-    TF_APART = 8,  ///< move whole parts apart: a jump, which is no motion
-    TF_RELAX = 16, ///< smooth everything
-    TF_RETURN = 32 ///< from a clear state back towards the input, as far as
-                   ///< it is clear: a motion without contacts
+    TF_RUNG_PUSH =
+        1, ///< push what is on the wrong side of a crossing curve out
+           ///< through the surface that it has passed
+    TF_RUNG_SMOOTH = 2, ///< smooth what is near the crossings
+    TF_RUNG_AGAIN =
+        4, ///< begin anew, with the other side taken for the wrong one
+    TF_RUNG_APART = 8,  ///< move whole parts apart: a jump, which is no motion
+    TF_RUNG_RELAX = 16, ///< smooth everything
+    TF_RUNG_RETURN =
+        32 ///< from a clear state back towards the input, as far as
+           ///< it is clear: a motion without contacts
 } tf_untangle_rung;
 
 //: Declare how to untangle

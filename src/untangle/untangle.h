@@ -13,7 +13,7 @@
 /// Moves vertices of a surface that intersects itself such that it does not,
 /// and ends near where they were.
 ///
-/// First the rungs before TF_RETURN look for any clear state, in which the surface
+/// First the rungs before TF_RUNG_RETURN look for any clear state, in which the surface
 /// has no intersections, as tf_surface_check finds them.  From there
 /// tf_step_resolve carries all vertices back towards the input, as long as the
 /// sum of the squares of their distances from it falls; those that meet nothing

@@ -1,0 +1,147 @@
+//: Include what attempts need
+#include "untangle/attempts.h"
+
+#include <limits.h>
+#include <string.h>
+
+//: Tell which rungs there are
+enum {
+    IDLE_ROUNDS = 12,    ///< after which another rung has its turn
+    SMOOTHINGS = 2,      ///< of an attempt
+    SMOOTH_ROUNDS = 7,   ///< of a smoothing
+    MOST_RINGS = 12,     ///< that are smoothed
+    SCOPE_RINGS = 2,     ///< around what crosses that may pass through anything
+    USUAL_ROUNDS = 300,  ///< of an attempt
+    RELAX_ROUNDS = 4000, ///< of the last one
+    CHECK_EVERY = 4      ///< of its rounds
+};
+
+static bool may(const tf_attempts *all, int rung)
+{
+    return (all->options->without & rung) == 0;
+}
+
+static bool is_done(const tf_attempts *all)
+{
+    return all->fewest <= all->beyond;
+}
+
+//: Keep the best state
+static size_t coordinates(const tf_attempts *all)
+{
+    return (size_t)all->tangle.near.axes * (size_t)all->tangle.near.vertices;
+}
+
+static void copy(const tf_attempts *all, double to[], const double from[])
+{
+    memcpy(to, from, coordinates(all) * sizeof *to);
+}
+
+static tf_status judge(tf_attempts *all)
+{
+    tf_status status = tf_tangle_check(&all->tangle, all->x);
+    if (status != TF_OK)
+        return status;
+    size_t count = all->tangle.crossings.count;
+    if (count < all->fewest) {
+        all->fewest = count;
+        copy(all, all->best, all->x);
+    }
+    all->idle = count < all->few ? 0 : all->idle + 1;
+    all->few = count < all->few ? count : all->few;
+    return TF_OK;
+}
+
+//: Take a step
+/// Moves the vertices by the change, limited, and judges where they are.  Where
+/// nothing moves, nothing will in the next round either.
+static tf_status step(tf_attempts *all, tf_untangle_rung rung, int rings)
+{
+    bool knows = may(all, TF_RUNG_PUSH) && all->push.regions.count > 0;
+    if (!tf_scope_find(&all->scope, &all->tangle,
+                       knows ? &all->push.regions : NULL, rings))
+        return TF_OUT_OF_MEMORY;
+    tf_status status = tf_limit_moves(&all->tangle, &all->scope, all->x,
+                                      all->change.move, all->next);
+    if (status != TF_OK)
+        return status;
+    bool moved =
+        memcmp(all->x, all->next, coordinates(all) * sizeof *all->x) != 0;
+    double *swap = all->x;
+    all->x = all->next;
+    all->next = swap;
+    all->rounds++;
+    all->rungs |= moved ? (int)rung : 0;
+    status = judge(all);
+    if (!moved)
+        all->idle = IDLE_ROUNDS + 1;
+    return status;
+}
+
+//: Push for a round
+static tf_status push_once(tf_attempts *all)
+{
+    if (!tf_change_begin(&all->change, &all->tangle))
+        return TF_OUT_OF_MEMORY;
+    if (!tf_push_propose(&all->push, &all->tangle, all->x, &all->change) ||
+        !tf_change_finish(&all->change, &all->tangle))
+        return tf_watch_failure(all->tangle.watch);
+    return step(all, TF_RUNG_PUSH, SCOPE_RINGS);
+}
+
+//: Begin an attempt
+static tf_status start(tf_attempts *all, const double from[])
+{
+    if (from != all->x)
+        copy(all, all->x, from);
+    all->few = (size_t)-1;
+    all->idle = 0;
+    return judge(all);
+}
+
+//: Make an attempt
+/// Pushes until that gets no further, smooths, and so on.
+static tf_status attempt(tf_attempts *all, bool toggles)
+{
+    int most = all->options->rounds > 0 ? all->options->rounds : USUAL_ROUNDS;
+    int last = all->rounds + most;
+    tf_status status = TF_OK;
+    for (int smoothings = 0; status == TF_OK && !is_done(all);) {
+        if (all->rounds >= last)
+            break;
+        status = push_once(all);
+        if (all->idle <= IDLE_ROUNDS || status != TF_OK)
+            continue;
+        if (smoothings++ >= SMOOTHINGS)
+            break;
+        if (toggles)
+            all->push.acute = !all->push.acute;
+    }
+    return status;
+}
+
+//: Try rung after rung
+tf_status tf_attempt(tf_attempts *all)
+{
+    all->fewest = (size_t)-1;
+    if (!tf_push_begin(&all->push, &all->tangle))
+        return TF_OUT_OF_MEMORY;
+    tf_status status = start(all, all->tangle.in);
+    all->beyond = tf_tangle_beyond(&all->tangle);
+    if (status == TF_OK)
+        status = attempt(all, true);
+    if (status == TF_OK && !is_done(all) && may(all, TF_RUNG_AGAIN)) {
+        all->push.acute = true;
+        status = start(all, all->tangle.in);
+        if (status == TF_OK)
+            status = attempt(all, false);
+    }
+    return status;
+}
+
+void tf_attempts_free(tf_attempts *all)
+{
+    tf_push_free(&all->push);
+    tf_change_free(&all->change);
+    tf_scope_free(&all->scope);
+}

@@ -1,0 +1,157 @@
+//: Include what scopes need
+#include "untangle/scope.h"
+
+#include <string.h>
+
+//: Mark what crosses
+/// Marks the vertices of crossings and of wrong regions by 1; returns how many.
+static int mark_crossings(const tf_tangle *tangle, const tf_regions *regions,
+                          int mark[], int *queue)
+{
+    const tf_neighbors *all = &tangle->near;
+    int count = 0;
+    memset(mark, 0, sizeof *mark * (size_t)all->vertices);
+    for (size_t i = 0; i < tangle->crossings.count; i++) {
+        const tf_crossing *own = &tangle->crossings.crossing[i];
+        for (int j = 0; j < tf_crossing_corners(own); j++)
+            mark[own->vertex[j]] = 1;
+    }
+    for (int v = 0; v < all->vertices; v++) {
+        if (regions && tf_is_wrong(regions, all, regions->region[v]))
+            mark[v] = 1;
+        if (mark[v])
+            queue[count++] = v;
+    }
+    return count;
+}
+
+//: Mark rings of neighbors
+static void mark_rings(const tf_neighbors *all, int mark[], int rings,
+                       int *queue, int count)
+{
+    for (int i = 0; i < count; i++) {
+        int v = queue[i];
+        if (mark[v] > rings)
+            return;
+        for (int j = all->around.start[v]; j < all->around.start[v + 1]; j++) {
+            int other = all->around.item[j];
+            if (mark[other])
+                continue;
+            mark[other] = mark[v] + 1;
+            queue[count++] = other;
+        }
+    }
+}
+
+//: Unite zones
+static int root_of(int *zone, int vertex)
+{
+    while (zone[vertex] != vertex)
+        vertex = zone[vertex] = zone[zone[vertex]];
+    return vertex;
+}
+
+static void unite(int *zone, int corners, const int corner[])
+{
+    for (int i = 1; i < corners; i++) {
+        int a = root_of(zone, corner[0]), b = root_of(zone, corner[i]);
+        zone[a > b ? a : b] = a > b ? b : a;
+    }
+}
+
+/// What is not in a zone with all its neighbors is not within it.
+static void leave(tf_scope *scope, const tf_neighbors *all, int corners,
+                  const int corner[])
+{
+    for (int i = 0; i < corners; i++)
+        scope->within[corner[i]] = 0;
+    if (corners == 3)
+        for (int i = 0; i < 3; i++) {
+            int edge = tf_edge_of(all, corner[i], corner[(i + 1) % 3]);
+            scope->within[all->vertices + edge] = 0;
+        }
+}
+
+//: Take elements into zones
+/// Elements with a marked vertex are in a zone.
+static void take_elements(tf_scope *scope, const tf_neighbors *all,
+                          const int mark[], int corners, int count,
+                          const int *corner)
+{
+    for (int i = 0; i < count; i++) {
+        const int *own = corner + (ptrdiff_t)corners * i;
+        bool in = false;
+        for (int j = 0; j < corners; j++)
+            in = in || mark[own[j]];
+        if (in)
+            unite(scope->zone, corners, own);
+        else
+            leave(scope, all, corners, own);
+        if (corners == 2 && !in)
+            scope->within[all->vertices + i] = 0;
+    }
+}
+
+//: Find the zones of a round
+static bool reserve(tf_scope *scope, const tf_neighbors *all, int **mark)
+{
+    size_t v = (size_t)all->vertices, e = (size_t)all->edges;
+    if (!tf_buffer_reserve(&scope->storage, 3 * v * sizeof(int) + v + e, 1))
+        return false;
+    scope->zone = scope->storage.data;
+    *mark = scope->zone + v;
+    scope->within = (unsigned char *)(*mark + 2 * v);
+    memset(scope->within, 1, v + e);
+    for (int i = 0; i < all->vertices; i++)
+        scope->zone[i] = i;
+    return true;
+}
+
+bool tf_scope_find(tf_scope *scope, const tf_tangle *tangle,
+                   const tf_regions *regions, int rings)
+{
+    const tf_neighbors *all = &tangle->near;
+    int *mark = NULL;
+    if (!reserve(scope, all, &mark))
+        return false;
+    int *queue = mark + all->vertices;
+    int count = mark_crossings(tangle, regions, mark, queue);
+    mark_rings(all, mark, rings, queue, count);
+    take_elements(scope, all, mark, 3, all->triangles, all->triangle);
+    take_elements(scope, all, mark, 2, all->edges, all->edge);
+    for (size_t i = 0; i < tangle->crossings.count; i++) {
+        const tf_crossing *own = &tangle->crossings.crossing[i];
+        unite(scope->zone, tf_crossing_corners(own), own->vertex);
+    }
+    for (int v = 0; v < all->vertices; v++)
+        scope->zone[v] = root_of(scope->zone, v);
+    return true;
+}
+
+void tf_scope_free(tf_scope *scope)
+{
+    tf_buffer_free(&scope->storage);
+}
+
+//: Tell whether a contact is in a zone
+/// The zone that some corners of a contact's element are within, or -1.
+static int zone_of(const tf_scope *scope, const tf_neighbors *all, int corners,
+                   const int corner[])
+{
+    if (corners == 1 && !scope->within[corner[0]])
+        return -1;
+    if (corners == 2 &&
+        !scope->within[all->vertices + tf_edge_of(all, corner[0], corner[1])])
+        return -1;
+    return scope->zone[corner[0]];
+}
+
+bool tf_scope_has(const tf_scope *scope, const tf_neighbors *all,
+                  const tf_surface_contact *contact)
+{
+    const int *v = contact->vertex;
+    int first = contact->kind == TF_EDGE_EDGE ? 2 : 1;
+    int second = contact->kind == TF_POINT_TRIANGLE ? 3 : 2;
+    int own = zone_of(scope, all, first, v);
+    return own >= 0 && own == zone_of(scope, all, second, v + first);
+}

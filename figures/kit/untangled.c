@@ -63,9 +63,9 @@ static void find_states(fig_untangling *all)
     add_state(all, 0, untouched(&all->tangle, last.report.before));
     for (int rounds = 1; rounds < last.report.rounds;
          rounds = next_rounds(rounds))
-        add_state(all, rounds, fig_untangle(&all->tangle, rounds, TF_RETURN));
+        add_state(all, rounds, fig_untangle(&all->tangle, rounds, TF_RUNG_RETURN));
     add_state(all, last.report.rounds,
-              fig_untangle(&all->tangle, 0, TF_RETURN));
+              fig_untangle(&all->tangle, 0, TF_RUNG_RETURN));
     add_state(all, last.report.rounds, last);
 }
 

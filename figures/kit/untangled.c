@@ -60,13 +60,14 @@ static int next_rounds(int rounds)
 static void find_states(fig_untangling *all)
 {
     fig_untangled last = fig_untangle(&all->tangle, 0, 0);
-    add_state(all, 0, untouched(&all->tangle, last.report.before));
-    for (int rounds = 1; rounds < last.report.rounds;
-         rounds = next_rounds(rounds))
-        add_state(all, rounds, fig_untangle(&all->tangle, rounds, TF_RUNG_RETURN));
-    add_state(all, last.report.rounds,
-              fig_untangle(&all->tangle, 0, TF_RUNG_RETURN));
-    add_state(all, last.report.rounds, last);
+    int rounds = 0;
+    add_state(all, rounds, untouched(&all->tangle, last.report.before));
+    do {
+        rounds = next_rounds(rounds);
+        add_state(all, rounds,
+                  fig_untangle(&all->tangle, rounds, TF_RUNG_RETURN));
+    } while (all->state[all->states - 1].report.left > last.report.left);
+    add_state(all, rounds, last);
 }
 
 const fig_untangling *fig_untangling_of(const char *name)

@@ -82,7 +82,7 @@ static void draw(fig_page *page, FILE *numbers)
     fig_cloth_draw(film_of(all), page, box, (int)lrint(t * (FRAMES - 1)),
                    &(fig_cloth_look){.turned = true,
                                      .azimuth = 25,
-                                     .elevation = 20,
+                                     .elevation = 27,
                                      .groundless = true});
     draw_counts(page, (fig_box){284, 14, 92, height - 14 - FIG_PLOT_ROOM}, all,
                 t);

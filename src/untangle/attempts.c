@@ -1,6 +1,8 @@
 //: Include what attempts need
 #include "untangle/attempts.h"
 
+#include "untangle/smooth.h"
+
 #include <limits.h>
 #include <string.h>
 
@@ -89,6 +91,23 @@ static tf_status push_once(tf_attempts *all)
     return step(all, TF_RUNG_PUSH, SCOPE_RINGS);
 }
 
+//: Smooth for some rounds
+static tf_status smooth(tf_attempts *all)
+{
+    tf_status status = TF_OK;
+    for (int i = 0; i < SMOOTH_ROUNDS && status == TF_OK && !is_done(all);
+         i++) {
+        if (!tf_change_begin(&all->change, &all->tangle))
+            return TF_OUT_OF_MEMORY;
+        if (!tf_smooth(&all->change, &all->tangle, all->x, all->rings))
+            return tf_watch_failure(all->tangle.watch);
+        status = step(all, TF_RUNG_SMOOTH, SCOPE_RINGS + all->rings);
+    }
+    all->rings += all->rings < MOST_RINGS;
+    all->idle = 0;
+    return status;
+}
+
 //: Begin an attempt
 static tf_status start(tf_attempts *all, const double from[])
 {
@@ -96,6 +115,7 @@ static tf_status start(tf_attempts *all, const double from[])
         copy(all, all->x, from);
     all->few = (size_t)-1;
     all->idle = 0;
+    all->rings = 1;
     return judge(all);
 }
 
@@ -104,20 +124,44 @@ static tf_status start(tf_attempts *all, const double from[])
 static tf_status attempt(tf_attempts *all, bool toggles)
 {
     int most = all->options->rounds > 0 ? all->options->rounds : USUAL_ROUNDS;
-    int last = all->rounds + most;
+    int end = all->rounds + most, smoothings = 0;
     tf_status status = TF_OK;
-    for (int smoothings = 0; status == TF_OK && !is_done(all);) {
-        if (all->rounds >= last)
-            break;
-        status = push_once(all);
-        if (all->idle <= IDLE_ROUNDS || status != TF_OK)
+    while (status == TF_OK && !is_done(all) && all->rounds < end) {
+        if (may(all, TF_RUNG_PUSH) && all->idle <= IDLE_ROUNDS) {
+            status = push_once(all);
             continue;
-        if (smoothings++ >= SMOOTHINGS)
+        }
+        if (!may(all, TF_RUNG_SMOOTH) ||
+            (may(all, TF_RUNG_PUSH) && smoothings++ == SMOOTHINGS))
             break;
         if (toggles)
             all->push.acute = !all->push.acute;
+        status = smooth(all);
     }
     return status;
+}
+
+//: Relax the surface
+/// Everything may pass through anything meanwhile, so that nothing limits it.
+static tf_status relax(tf_attempts *all)
+{
+    const tf_neighbors *near = &all->tangle.near;
+    for (int round = 0; round < RELAX_ROUNDS && !is_done(all); round++) {
+        if (!tf_change_begin(&all->change, &all->tangle))
+            return TF_OUT_OF_MEMORY;
+        if (!tf_smooth(&all->change, &all->tangle, all->x, INT_MAX))
+            return tf_watch_failure(all->tangle.watch);
+        for (int v = 0; v < near->vertices; v++)
+            tf_put(near, all->x, v,
+                   tf_vector_sum(tf_place(near, all->x, v), 1,
+                                 all->change.move[v]));
+        all->rounds++;
+        all->rungs |= TF_RUNG_RELAX;
+        tf_status status = round % CHECK_EVERY == 0 ? judge(all) : TF_OK;
+        if (status != TF_OK)
+            return status;
+    }
+    return TF_OK;
 }
 
 //: Try rung after rung
@@ -135,6 +179,11 @@ tf_status tf_attempt(tf_attempts *all)
         status = start(all, all->tangle.in);
         if (status == TF_OK)
             status = attempt(all, false);
+    }
+    if (status == TF_OK && !is_done(all) && may(all, TF_RUNG_RELAX)) {
+        status = start(all, all->tangle.in);
+        if (status == TF_OK)
+            status = relax(all);
     }
     return status;
 }

@@ -20,6 +20,7 @@ bool tf_change_begin(tf_change *change, const tf_tangle *tangle)
 void tf_change_free(tf_change *change)
 {
     tf_buffer_free(&change->storage);
+    tf_buffer_free(&change->marks);
 }
 
 //: Propose a move

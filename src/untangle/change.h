@@ -8,7 +8,7 @@ typedef struct tf_change {
     tf_vector *move;  ///< of each vertex; first a sum, then a mean
     double *weight;   ///< of each vertex; 0: nothing is proposed
     tf_vector *other; ///< room for as many moves
-    tf_buffer storage;
+    tf_buffer storage, marks;
 } tf_change;
 
 /// Begins with no proposals; false if there is no memory.

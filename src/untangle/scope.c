@@ -26,8 +26,8 @@ static int mark_crossings(const tf_tangle *tangle, const tf_regions *regions,
 }
 
 //: Mark rings of neighbors
-static void mark_rings(const tf_neighbors *all, int mark[], int rings,
-                       int *queue, int count)
+static void mark_neighbors(const tf_neighbors *all, int mark[], int rings,
+                           int *queue, int count)
 {
     for (int i = 0; i < count; i++) {
         int v = queue[i];
@@ -41,6 +41,18 @@ static void mark_rings(const tf_neighbors *all, int mark[], int rings,
             queue[count++] = other;
         }
     }
+}
+
+int *tf_mark_rings(tf_buffer *marks, const tf_tangle *tangle,
+                   const tf_regions *regions, int rings)
+{
+    const tf_neighbors *all = &tangle->near;
+    if (!tf_buffer_reserve(marks, 2 * (size_t)all->vertices, sizeof(int)))
+        return NULL;
+    int *mark = marks->data, *queue = mark + all->vertices;
+    int count = mark_crossings(tangle, regions, mark, queue);
+    mark_neighbors(all, mark, rings, queue, count);
+    return mark;
 }
 
 //: Unite zones
@@ -93,14 +105,13 @@ static void take_elements(tf_scope *scope, const tf_neighbors *all,
 }
 
 //: Find the zones of a round
-static bool reserve(tf_scope *scope, const tf_neighbors *all, int **mark)
+static bool reserve(tf_scope *scope, const tf_neighbors *all)
 {
     size_t v = (size_t)all->vertices, e = (size_t)all->edges;
-    if (!tf_buffer_reserve(&scope->storage, 3 * v * sizeof(int) + v + e, 1))
+    if (!tf_buffer_reserve(&scope->storage, v * sizeof(int) + v + e, 1))
         return false;
     scope->zone = scope->storage.data;
-    *mark = scope->zone + v;
-    scope->within = (unsigned char *)(*mark + 2 * v);
+    scope->within = (unsigned char *)(scope->zone + v);
     memset(scope->within, 1, v + e);
     for (int i = 0; i < all->vertices; i++)
         scope->zone[i] = i;
@@ -111,12 +122,9 @@ bool tf_scope_find(tf_scope *scope, const tf_tangle *tangle,
                    const tf_regions *regions, int rings)
 {
     const tf_neighbors *all = &tangle->near;
-    int *mark = NULL;
-    if (!reserve(scope, all, &mark))
+    const int *mark = tf_mark_rings(&scope->marks, tangle, regions, rings);
+    if (!mark || !reserve(scope, all))
         return false;
-    int *queue = mark + all->vertices;
-    int count = mark_crossings(tangle, regions, mark, queue);
-    mark_rings(all, mark, rings, queue, count);
     take_elements(scope, all, mark, 3, all->triangles, all->triangle);
     take_elements(scope, all, mark, 2, all->edges, all->edge);
     for (size_t i = 0; i < tangle->crossings.count; i++) {
@@ -131,6 +139,7 @@ bool tf_scope_find(tf_scope *scope, const tf_tangle *tangle,
 void tf_scope_free(tf_scope *scope)
 {
     tf_buffer_free(&scope->storage);
+    tf_buffer_free(&scope->marks);
 }
 
 //: Tell whether a contact is in a zone

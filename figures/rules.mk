@@ -98,7 +98,8 @@ $(BUILD)/drawing/%.o: figures/%.c $(BUILD)/flags $(BUILD)/renderer.flags \
 	$(Q)$(COMPILE) $(drawing_flags) -MMD -MP -c $< -o $@
 
 # These draw nothing, and need no library of figures.
-$(BUILD)/drawing/kit/expansion.o $(call drawing_objects,$(EXPERIMENTS)): \
+$(addprefix $(BUILD)/drawing/kit/,expansion.o tangles.o meshes.o) \
+		$(call drawing_objects,$(EXPERIMENTS)): \
 		$(BUILD)/drawing/%.o: figures/%.c $(BUILD)/flags | need-build
 	@echo 'compile $<' && mkdir -p $(@D)
 	$(Q)$(COMPILE) -I$(SRC) -Ifigures -MMD -MP -c $< -o $@

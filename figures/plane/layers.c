@@ -341,6 +341,6 @@ const fig_figure fig_layers = {
     .name = "layers",
     .title = "The layers of the library and what includes what",
     .width = FIG_PAGE_WIDTH,
-    .height = 490,
+    .height = 530,
     .draw = draw,
 };

@@ -36,6 +36,9 @@ counts: $(BUILD)/tests/bench/counts ## count the contacts that the report's rule
 .PHONY: bench bench-cancel bench-response compare compare-solvers compare-sweeps \
 	collect-zones counts
 
+# The surfaces are those of the figures.
+$(BUILD)/tests/bench/untangling: $(addprefix $(BUILD)/drawing/kit/,tangles.o meshes.o)
+
 # measure-methods writes figures/measured/methods.csv, by programs that are built
 # with the usual flags, whatever those of this build, below $(BUILD)/measured.
 # The numbers are what tests/bench/methods.sh prints of the programs' output; it
@@ -53,8 +56,9 @@ measure-surgery: ## operate at random, with tests left out
 measure-remeshing: need-remeshing ## remesh meshes of another program
 measure-topology: ## merge, pinch and drop at random
 measure-flowing: ## let surfaces flow
+measure-untangling: ## untangle surfaces
 measured = library methods threads solvers response simulation resting \
-	surgery remeshing topology flowing
+	surgery remeshing topology flowing untangling
 
 programs_library = $(benches:%=tests/bench/%)
 programs_methods = tests/bench/compare
@@ -71,6 +75,7 @@ programs_remeshing = tanglefree
 programs_topology = tests/soak/topology
 arguments_topology = 500000 20000
 programs_flowing = tests/bench/flowing
+programs_untangling = tests/bench/untangling
 
 $(measured:%=measure-%): measure-%:
 	@$(MAKE) $(parallel) BUILD=$(BUILD)/measured CFLAGS=-O3 LDFLAGS= \

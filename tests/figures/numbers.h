@@ -21,7 +21,7 @@ typedef struct figure_test {
 
 /// Those of the figures of a part; one without a figure ends them.
 extern const figure_test plane_tests[], space_tests[], arithmetic_tests[],
-    surfaces_tests[], response_tests[], adaptive_tests[];
+    surfaces_tests[], response_tests[], untangle_tests[], adaptive_tests[];
 
 /// The lines "key value" that the figure under test prints.
 extern const char *printed;

@@ -44,8 +44,8 @@ static void add_state(fig_untangling *all, int rounds, fig_untangled state)
 static fig_untangled untouched(const fig_tangle *tangle, size_t crossings)
 {
     size_t size = 3 * (size_t)tangle->mesh.vertices * sizeof(double);
-    fig_untangled state = {
-        .x = malloc(size), .report = {.before = crossings, .left = crossings}};
+    fig_untangled state = {.x = malloc(size),
+                           .report = {.before = crossings, .left = crossings}};
     TF_REQUIRE(state.x);
     memcpy(state.x, tangle->mesh.x, size);
     return state;
@@ -57,16 +57,23 @@ static int next_rounds(int rounds)
     return rounds < 20 ? rounds + 1 : rounds + (rounds + 7) / 8;
 }
 
+/// The states of the first attempt, and then what comes of all rungs.
 static void find_states(fig_untangling *all)
 {
+    const int first = TF_RUNG_APART | TF_RUNG_AGAIN | TF_RUNG_RELAX;
     fig_untangled last = fig_untangle(&all->tangle, 0, 0);
     int rounds = 0;
     add_state(all, rounds, untouched(&all->tangle, last.report.before));
-    do {
+    while (all->state[all->states - 1].report.left > last.report.left &&
+           next_rounds(rounds) < last.report.rounds) {
         rounds = next_rounds(rounds);
         add_state(all, rounds,
-                  fig_untangle(&all->tangle, rounds, TF_RUNG_RETURN));
-    } while (all->state[all->states - 1].report.left > last.report.left);
+                  fig_untangle(&all->tangle, rounds, first | TF_RUNG_RETURN));
+    }
+    if (all->state[all->states - 1].report.left > last.report.left) {
+        rounds = last.report.rounds;
+        add_state(all, rounds, fig_untangle(&all->tangle, 0, TF_RUNG_RETURN));
+    }
     add_state(all, rounds, last);
 }
 
@@ -76,7 +83,7 @@ const fig_untangling *fig_untangling_of(const char *name)
         const char *name;
         fig_untangling all;
         struct kept *next;
-    } *first;
+    } * first;
     for (const struct kept *one = first; one; one = one->next)
         if (strcmp(one->name, name) == 0)
             return &one->all;

@@ -111,7 +111,7 @@ static tf_tree_box box_of(const tf_chosen_facets *facets, int place)
     return box;
 }
 
-//: Make room for a tree
+//: Make room for a tree of facets
 static bool reserve(tf_nearest_tree *tree)
 {
     size_t count = (size_t)tree->facets.count;

@@ -134,7 +134,7 @@ static double volume_of(const tf_neighbors *near, const double x[], int facet,
     return near->turn[facet] * volume;
 }
 
-//: Measure volumes
+//: Measure the volumes of sheets
 /// The surface has forgotten which side of it is out; so it is the one that
 /// makes volumes positive before.
 static void measure_volumes(const tf_tangle *tangle, const double x[],

@@ -261,7 +261,7 @@ void tf_neighbors_free(tf_neighbors *all)
     tf_buffer_free(&all->turns);
 }
 
-//: Measure edges
+//: Find how long edges are
 double tf_mean_edge(const tf_neighbors *all, const double x[], double around[])
 {
     double sum = 0;

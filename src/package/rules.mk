@@ -149,6 +149,7 @@ share/man/man1/tanglefree-resolve.1 $(BUILD)/man/tanglefree-resolve.1
 share/man/man1/tanglefree-remesh.1 $(BUILD)/man/tanglefree-remesh.1
 share/man/man1/tanglefree-simulate.1 $(BUILD)/man/tanglefree-simulate.1
 share/man/man1/tanglefree-weld.1 $(BUILD)/man/tanglefree-weld.1
+share/man/man1/tanglefree-untangle.1 $(BUILD)/man/tanglefree-untangle.1
 share/man/man5/tanglefree-formats.5 $(BUILD)/man/tanglefree-formats.5
 endef
 define installed_draw

@@ -20,10 +20,11 @@ typedef struct tf_command {
 /// These are made of src/package/manual, as the manual pages are.
 extern const char tf_query_description[], tf_detect_description[],
     tf_check_description[], tf_resolve_description[], tf_remesh_description[],
-    tf_simulate_description[], tf_weld_description[];
+    tf_simulate_description[], tf_weld_description[], tf_untangle_description[];
 
 extern const tf_command tf_query_command, tf_detect_command, tf_check_command,
-    tf_resolve_command, tf_remesh_command, tf_simulate_command, tf_weld_command;
+    tf_resolve_command, tf_remesh_command, tf_simulate_command, tf_weld_command,
+    tf_untangle_command;
 
 /// Parses the arguments, and does what they request; the first one is not
 /// looked at.  Wrong ones end the program.

@@ -14,9 +14,9 @@
 
 //: List the commands
 static const tf_command *const commands[] = {
-    &tf_query_command,    &tf_detect_command, &tf_check_command,
-    &tf_resolve_command,  &tf_weld_command,   &tf_remesh_command,
-    &tf_simulate_command,
+    &tf_query_command,    &tf_detect_command,   &tf_check_command,
+    &tf_resolve_command,  &tf_weld_command,     &tf_remesh_command,
+    &tf_simulate_command, &tf_untangle_command,
 };
 enum {
     COMMANDS = sizeof commands / sizeof *commands

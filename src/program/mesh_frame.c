@@ -1,7 +1,7 @@
 //: Include what frames of meshes need
 #include "program/mesh_frame.h"
 
-#include "program/destination.h"
+#include "files/destination.h"
 #include "program/mesh_output.h"
 #include "writers/endings.h"
 #include "writers/mesh_writer.h"

@@ -1,8 +1,8 @@
 //: Declare the output of a mesh with a report
 #pragma once
 
+#include "files/destination.h"
 #include "files/record.h"
-#include "program/destination.h"
 #include "writers/mesh_writer.h"
 
 /// A report, which is a record.

@@ -50,7 +50,7 @@ static const tf_choice formats[] = {
 
 // Commands that write rows, and those that report what they did.
 #define ROWS (TF_QUERY | TF_DETECT | TF_CHECK)
-#define REPORT (TF_RESOLVE | TF_REMESH | TF_SIMULATE | TF_WELD)
+#define REPORT (TF_RESOLVE | TF_REMESH | TF_SIMULATE | TF_WELD | TF_UNTANGLE)
 
 #define OPTION(name_, letter_, argument_, member, type_)                       \
     .name = (name_), .letter = (letter_), .argument = (argument_),             \
@@ -99,11 +99,15 @@ const tf_option tf_options[] = {
      .required = true, .help = "Where to write the new mesh"},
     {TF_WELD, OPTION("output", 'o', "OUT", out, TF_TEXT), .required = true,
      .help = "Where to write the welded mesh"},
+    {TF_UNTANGLE, OPTION("output", 'o', "OUT", out, TF_TEXT), .required = true,
+     .help = "Where to write the mesh then"},
     {TF_SIMULATE, OPTION("output", 'o', "DIR", out, TF_TEXT),
      .help = "The folder for the frames; required"},
     {TF_RESOLVE, OPTION("fixed", 'f', "FILE", fixed, TF_TEXT),
      .help = "The scripted vertices, which end where END has them unless they "
              "have to be held back: their numbers, from 0"},
+    {TF_UNTANGLE, OPTION("fixed", 'f', "FILE", fixed, TF_TEXT),
+     .help = "The vertices that stay: their numbers, from 0"},
     {TF_RESOLVE, OPTION("masses", 0, "FILE", masses, TF_TEXT),
      .help = "The masses of all vertices; the default is 1 for each"},
     {TF_RESOLVE, OPTION("solver", 0, "NAME", solver, TF_CHOICE),
@@ -154,7 +158,7 @@ const tf_option tf_options[] = {
              "the default"},
     {TF_SIMULATE, OPTION("resume", 0, NULL, resume, TF_SWITCH),
      .help = "Go on from the last frame in DIR"},
-    {TF_DETECT | TF_CHECK | TF_RESOLVE | TF_SIMULATE,
+    {TF_DETECT | TF_CHECK | TF_RESOLVE | TF_SIMULATE | TF_UNTANGLE,
      OPTION("threads", 't', "NUMBER", threads, TF_WHOLE), .least = 1,
      .most = TF_MOST_THREADS,
      .help = "How many threads to use; the default is one per processor"},

@@ -30,7 +30,8 @@ typedef struct tf_request {
     bool each;       ///< of check
     const char *out; ///< a file, "-", or a folder of simulate
     const char *fixed, *masses,
-        *vertex_friction; ///< of resolve: files, or NULL
+        *vertex_friction; ///< of resolve, the first also of untangle: files, or
+                          ///< NULL
     const tf_zone_solver *solver;
     double separation, friction, restitution, restitution_threshold;
     int substeps;
@@ -51,7 +52,8 @@ typedef enum tf_command_set {
     TF_RESOLVE = 8,
     TF_REMESH = 16,
     TF_SIMULATE = 32,
-    TF_WELD = 64
+    TF_WELD = 64,
+    TF_UNTANGLE = 128
 } tf_command_set;
 
 /// What the argument of an option is.

@@ -1,9 +1,9 @@
 //: Include what the command query needs
 
+#include "files/destination.h"
 #include "files/query_file.h"
 #include "program/arithmetics.h"
 #include "program/command.h"
-#include "program/destination.h"
 #include "program/methods.h"
 #include "program/progress.h"
 #include "program/query_output.h"

@@ -80,3 +80,26 @@ const tf_field tf_weld_fields[] = {
     TF_FIELD("collapsed edges", tf_weld_report, collapsed_edges),
     {0},
 };
+
+//: List the fields about untangling
+const tf_field tf_untangled_fields[] = {
+    TF_FIELD("status", tf_untangled, status),
+    TF_FIELD("intersections before", tf_untangled, before),
+    TF_FIELD("intersections", tf_untangled, left),
+    TF_FIELD("between fixed", tf_untangled, report.beyond),
+    TF_FIELD("parts", tf_untangled, report.parts),
+    TF_FIELD("rounds", tf_untangled, report.rounds),
+    TF_FIELD("rungs", tf_untangled, rung_names),
+    TF_FIELD("moved", tf_untangled, report.moved),
+    TF_FIELD("farthest", tf_untangled, report.farthest),
+    TF_FIELD("mean", tf_untangled, report.mean),
+    TF_FIELD("deviation", tf_untangled, report.deviation),
+    TF_FIELD("edge", tf_untangled, report.edge),
+    TF_FIELD("stretched", tf_untangled, report.stretched),
+    TF_FIELD("stretch", tf_untangled, report.stretch),
+    TF_FIELD("volume before", tf_untangled, report.volume_before),
+    TF_FIELD("volume", tf_untangled, report.volume_after),
+    TF_FIELD("turned", tf_untangled, report.turned),
+    TF_FIELD("seconds", tf_untangled, seconds),
+    {0},
+};

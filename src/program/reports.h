@@ -5,6 +5,7 @@
 #include "remesh/remesh.h"
 #include "response/options.h"
 #include "scenes/weld.h"
+#include "untangle/options.h"
 
 /// What it took to resolve a step.
 typedef struct tf_resolved {
@@ -21,6 +22,17 @@ typedef struct tf_remeshed {
     double seconds;
 } tf_remeshed;
 
+/// What it took to untangle a surface.
+typedef struct tf_untangled {
+    const char *status;     ///< "clear", "untangled" or "tangled"
+    const char *rung_names; ///< `rungs`, or "none"
+    char rungs[48];         ///< that moved something
+    size_t before, left;    ///< intersections, with polygons divided where
+                            ///< their corners were and are
+    tf_untangle_report report;
+    double seconds;
+} tf_untangled;
+
 /// Their fields, and those of a tf_weld_report.
 extern const tf_field tf_resolved_fields[], tf_remeshed_fields[],
-    tf_weld_fields[];
+    tf_weld_fields[], tf_untangled_fields[];

@@ -1,8 +1,8 @@
 //: Include what the commands about surfaces need
 #include "fast/detect.h"
+#include "files/destination.h"
 #include "program/arithmetics.h"
 #include "program/command.h"
-#include "program/destination.h"
 #include "program/progress.h"
 #include "program/surface_output.h"
 #include "scenes/natural_order.h"

@@ -138,6 +138,15 @@ void tf_frames_change(tf_frames *frames)
         memcpy(file->position.item + 3 * v, flat + 2 * v, 2 * sizeof *flat);
 }
 
+//: Divide the polygons of a changed frame
+bool tf_frames_divide(tf_frames *frames)
+{
+    tf_surface_free(frames->surface);
+    frames->surface = NULL;
+    return tf_mesh_file_divide(&frames->file[frames->current]) &&
+           make_surface(frames);
+}
+
 //: Free the frames
 void tf_frames_free(tf_frames *frames)
 {

@@ -42,6 +42,10 @@ double *tf_frames_end(tf_frames *frames);
 /// Gives changed positions to the current file; its z stays in the plane.
 void tf_frames_change(tf_frames *frames);
 
+/// Divides the polygons of the current file anew, whose positions have changed,
+/// and makes the surface anew.  False: there is a fault.
+bool tf_frames_divide(tf_frames *frames);
+
 /// Describes an error as the fault of the current file; false.
 bool tf_frames_fault(const tf_frames *frames, const tf_error *error);
 

@@ -122,7 +122,8 @@ static tf_status go_home(untangling *own)
 //: Check the output
 /// Lists the crossings of the output, which is left in `next`.  Where
 /// coordinates are so small that they cannot be scaled exactly, rounding may
-/// make some; if there are more than before, nothing moves.
+/// make some, and where they are nearly the largest there are, what moves may
+/// become infinite; if there are more than before, or if so, nothing moves.
 static tf_status check_output(untangling *own, int vertices, tf_crossings *left)
 {
     tf_surface *surface = own->resolver->surface;
@@ -131,7 +132,8 @@ static tf_status check_output(untangling *own, int vertices, tf_crossings *left)
     scale_back(own, all->next);
     tf_status status =
         tf_surface_check(surface, vertices, all->next, &options, left, NULL);
-    if (status != TF_OK || left->count <= own->report.before)
+    bool is_worse = status == TF_OK && left->count > own->report.before;
+    if (!is_worse && status != TF_NOT_FINITE)
         return status;
     memcpy(all->best, own->in, own->coordinates * sizeof *own->in);
     memcpy(all->next, own->given, own->coordinates * sizeof *own->in);

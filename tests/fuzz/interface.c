@@ -28,10 +28,12 @@ static stateless_call *const stateless[] = {
 };
 
 static body_call *const about_bodies[] = {
-    call_create,  call_create,  call_resolver, call_filter_pairs, call_detect,
-    call_detect,  call_detect,  call_detect,   call_candidates,   call_check,
-    call_check,   call_lend,    call_resolve,  call_resolve,      call_resolve,
-    call_resolve, call_resolve, call_limit,    call_limit,
+    call_create,     call_create,  call_resolver, call_filter_pairs,
+    call_detect,     call_detect,  call_detect,   call_detect,
+    call_candidates, call_check,   call_check,    call_lend,
+    call_resolve,    call_resolve, call_resolve,  call_resolve,
+    call_resolve,    call_limit,   call_limit,    call_untangle,
+    call_untangle,
 };
 
 static shell_call *const about_shells[] = {

@@ -55,6 +55,7 @@ check_page tanglefree-resolve tanglefree resolve
 check_page tanglefree-remesh tanglefree remesh
 check_page tanglefree-simulate tanglefree simulate
 check_page tanglefree-weld tanglefree weld
+check_page tanglefree-untangle tanglefree untangle
 check_page tanglefree-draw tanglefree-draw list figure query surface film
 check_text "$prefix/share/man/man5/tanglefree-formats.5"
 readme console | sed 's|build/tanglefree|tanglefree|' >"$scratch/session"

@@ -448,6 +448,14 @@ static tf_status limit(int vertices, const double position[], tf_error *error)
                          error);
 }
 
+static tf_status untangle(int vertices, const double position[],
+                          tf_error *error)
+{
+    double to[3 * VERTICES];
+    return tf_untangle(resolver, vertices, position, to, NULL, NULL, NULL,
+                       error);
+}
+
 static const struct {
     const char *name;
     position_call *call;
@@ -457,6 +465,7 @@ static const struct {
     {"tf_surface_nearest", find_nearest},
     {"tf_step_resolve", resolve},
     {"tf_step_limit", limit},
+    {"tf_untangle", untangle},
 };
 
 START_TEST(positions_are_of_all_vertices)
@@ -557,6 +566,16 @@ static tf_status limit_with(size_t size, const tf_parallel *parallel,
                          error);
 }
 
+static tf_status untangle_with(size_t size, const tf_parallel *parallel,
+                               tf_progress *progress, tf_error *error)
+{
+    double to[3 * VERTICES];
+    tf_untangle_options options = {
+        .size = size, .parallel = parallel, .progress = progress};
+    return tf_untangle(resolver, VERTICES, start, to, &options, NULL, NULL,
+                       error);
+}
+
 static const struct {
     const char *name;
     option_call *call;
@@ -564,6 +583,7 @@ static const struct {
     {"tf_surface_detect", detect_with}, {"tf_surface_candidates", list_with},
     {"tf_surface_check", check_with},   {"tf_surface_near", measure_with},
     {"tf_step_resolve", resolve_with},  {"tf_step_limit", limit_with},
+    {"tf_untangle", untangle_with},
 };
 
 static void expect_bad_option(int which, size_t size,
@@ -1018,22 +1038,45 @@ static void limit_without(int null)
                   NULL, GIVEN(3, &halvings), NULL);
 }
 
+static void untangle_without(int null)
+{
+    double to[3 * VERTICES] = {0};
+    tf_untangle(GIVEN(0, resolver), VERTICES, GIVEN(1, start), GIVEN(2, to),
+                NULL, NULL, NULL, NULL);
+}
+
 static const null_call null_calls[] = {
-    {query_without, 4},          {plane_query_without, 4},
-    {edge_query_without, 5},     {cubic_without, 4},
-    {quadratic_without, 4},      {additive_without, 4},
-    {rigid_without, 4},          {position_without, 3},
-    {narrow_phase_without, 6},   {vectors_without, 6},
-    {batch_without, 3},          {filter_without, 2},
-    {create_without, 2},         {lend_without, 2},
-    {lend_triangles_without, 2}, {tell_without, 10},
-    {allocator_without, 2},      {detect_without, 3},
-    {list_without, 3},           {check_without, 3},
-    {measure_without, 3},        {find_nearest_without, 4},
-    {distance_without, 3},       {nearer_without, 3},
-    {resolver_without, 2},       {resolve_without, 3},
-    {limit_without, 4},          {contacts_without, 9},
-    {zone_without, 13},          {NULL, 0},
+    {query_without, 4},
+    {plane_query_without, 4},
+    {edge_query_without, 5},
+    {cubic_without, 4},
+    {quadratic_without, 4},
+    {additive_without, 4},
+    {rigid_without, 4},
+    {position_without, 3},
+    {narrow_phase_without, 6},
+    {vectors_without, 6},
+    {batch_without, 3},
+    {filter_without, 2},
+    {create_without, 2},
+    {lend_without, 2},
+    {lend_triangles_without, 2},
+    {tell_without, 10},
+    {allocator_without, 2},
+    {detect_without, 3},
+    {list_without, 3},
+    {check_without, 3},
+    {measure_without, 3},
+    {find_nearest_without, 4},
+    {distance_without, 3},
+    {nearer_without, 3},
+    {resolver_without, 2},
+    {resolve_without, 3},
+    {limit_without, 4},
+    {contacts_without, 9},
+    {zone_without, 13},
+    {untangle_without, 3},
+    {NULL, 0},
 };
 
 Suite *suite(void)

@@ -877,3 +877,81 @@ void call_limit(generator *random, body *of)
     require(&made, halvings != 0 || whole, "a step that is clear is changed");
     judge_clear(&made, of, s.start, end, NULL);
 }
+
+// Untangling ------------------------------------------------------------------
+
+typedef struct untangle_options {
+    tf_untangle_options own;
+    unsigned char later[LATER];
+    bool fixed[MOST_VERTICES];
+} untangle_options;
+
+static void draw_untangle_options(generator *random, call *made,
+                                  untangle_options *options, pointed_to *to)
+{
+    static const int bad[] = {-1, 64, INT_MAX, INT_MIN};
+    tf_untangle_options *own = &options->own;
+    *own = (tf_untangle_options){.context = &to->hearing};
+    own->size = any_size(random, made, sizeof *own, options->later);
+    own->parallel = any_parallel(random, made, &to->workers);
+    own->progress = any_progress(random, made, &to->hearing);
+    own->rounds = 1 + below(random, 9);
+    own->without = below(random, 64) | TF_RUNG_RELAX;
+    for (int v = 0; v < MOST_VERTICES; v++)
+        options->fixed[v] = one_in(random, 3);
+    own->fixed = one_in(random, 2) ? options->fixed : NULL;
+    if (one_in(random, 16)) {
+        own->without = bad[below(random, COUNT(bad))];
+        expect_fault(made, true, TF_BAD_OPTION);
+    }
+}
+
+/// Checks the output by a new surface.
+static void judge_untangled(const call *made, const body *of,
+                            const untangle_options *options, const step *s,
+                            const double out[],
+                            const tf_untangle_report *report)
+{
+    tf_surface *other = body_copy(of);
+    tf_crossings found;
+    size_t axes = (size_t)of->mesh.axes;
+    tf_status status =
+        tf_surface_check(other, s->vertices, out, NULL, &found, NULL);
+    require(made, status == TF_OK, "the output is bad");
+    require(made, found.count == report->left, "other crossings are left");
+    require(made, report->left <= report->before, "more than before are left");
+    for (int v = 0; v < s->vertices && options->own.fixed; v++)
+        require(made,
+                !options->own.fixed[v] ||
+                    memcmp(out + axes * (size_t)v, s->start + axes * (size_t)v,
+                           axes * sizeof *out) == 0,
+                "a fixed vertex has moved");
+    tf_surface_free(other);
+}
+
+void call_untangle(generator *random, body *of)
+{
+    static untangle_options options;
+    pointed_to to;
+    step s;
+    double out[NUMBERS];
+    tf_untangle_report report;
+    results set;
+    need_resolver(of);
+    call made = call_begin("tf_untangle");
+    draw_step(random, &made, of, &s);
+    made.faults &= ~((status_set)1 << TF_NOT_FINITE); // as the end alone may be
+    expect_fault(&made, !all_finite(body_numbers(of), s.start), TF_NOT_FINITE);
+    draw_untangle_options(random, &made, &options, &to);
+    memcpy(out, s.end, sizeof out);
+    break_environment(random, &made);
+    results_begin(random, &set, &report, sizeof report);
+    tf_status status = tf_untangle(of->resolver, s.vertices, s.start, out,
+                                   &options.own, &report, NULL, &set.error);
+    if (results_judge(random, &made, &set, &to.hearing, status)) {
+        judge_untangled(&made, of, &options, &s, out, &report);
+        return;
+    }
+    require(&made, memcmp(out, s.end, sizeof out) == 0, "the output is set");
+    judge_after(random, &made, of);
+}

@@ -30,7 +30,10 @@ void call_lend(generator *random, body *of);
 /// resolves a step,
 void call_resolve(generator *random, body *of);
 
-/// or limits it.
+/// limits it,
 void call_limit(generator *random, body *of);
+
+/// or untangles a position.
+void call_untangle(generator *random, body *of);
 
 #endif

@@ -1,5 +1,5 @@
 //: Include what destinations need
-#include "program/destination.h"
+#include "files/destination.h"
 
 #include "files/gzip_stream.h"
 

@@ -1,6 +1,6 @@
 // Files that appear whole or not at all, and standard output.
 #define _GNU_SOURCE // symlink
-#include "program/destination.h"
+#include "files/destination.h"
 
 #include "support/program.h"
 #include "support/support.h"
@@ -118,7 +118,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("program/destination");
+    Suite *suite = suite_create("files/destination");
     TCase *tcase = tcase_create("files");
     tcase_add_checked_fixture(tcase, enter_folder, leave_folder);
     tcase_add_test(tcase, a_file_appears_when_it_is_kept);

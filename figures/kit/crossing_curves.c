@@ -62,9 +62,9 @@ static int add_passages(const fig_some_mesh *mesh, const double x[],
         through++;
     for (int t = 0; t < mesh->triangles && count < 2; t++)
         if (has_vertex(mesh, t, v[0]) && has_vertex(mesh, t, v[1]))
-            to[count++] =
-                (passage){{t < through ? t : through, t < through ? through : t},
-                          find_passage(x, v)};
+            to[count++] = (passage){
+                {t < through ? t : through, t < through ? through : t},
+                find_passage(x, v)};
     return count;
 }
 
@@ -129,7 +129,8 @@ static void find_regions(fig_crossing_curves *curves, tf_surface *surface,
                         .in = x};
     tf_curves found = {0};
     tf_regions regions = {0};
-    TF_REQUIRE(tf_tangle_begin(&tangle) && tf_tangle_check(&tangle, x) == TF_OK &&
+    TF_REQUIRE(tf_tangle_begin(&tangle) &&
+               tf_tangle_check(&tangle, x) == TF_OK &&
                tf_curves_find(&found, &tangle, x));
     int *preferred = allocate((size_t)tangle.near.parts, sizeof *preferred);
     for (int i = 0; i < tangle.near.parts; i++)

@@ -21,8 +21,8 @@ typedef struct fig_crossing_curves {
     int pieces;
     fig_curve_piece *piece;
     bool *crosses; ///< of each triangle: it intersects another one
-    int *part;   ///< of each vertex
-    bool *wrong; ///< of each vertex: the library takes its region for wrong
+    int *part;     ///< of each vertex
+    bool *wrong;   ///< of each vertex: the library takes its region for wrong
     int parts, regions, wrongs;
 } fig_crossing_curves;
 

@@ -7,8 +7,7 @@ enum {
 fig_role fig_part_role(const fig_crossing_curves *curves, int vertex)
 {
     static const fig_role roles[COLORS] = {FIG_ROLE_TRIANGLE, FIG_ROLE_EDGE,
-                                           FIG_ROLE_POINT,
-                                           FIG_ROLE_OTHER_EDGE};
+                                           FIG_ROLE_POINT, FIG_ROLE_OTHER_EDGE};
     return roles[curves->part[vertex] % COLORS];
 }
 

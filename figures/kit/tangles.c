@@ -94,7 +94,8 @@ typedef void tube_place(const void *context, double u, double angle,
 static void join_rings(fig_some_mesh *mesh, int lower, int lowers, int upper,
                        int uppers)
 {
-    for (int i = 0, j = 0; i < lowers * (lowers > 1) || j < uppers * (uppers > 1);) {
+    for (int i = 0, j = 0;
+         i < lowers * (lowers > 1) || j < uppers * (uppers > 1);) {
         double next_i = lowers > 1 ? (i + 1.) / lowers : 2;
         double next_j = uppers > 1 ? (j + 1.) / uppers : 2;
         int a = lower + i % lowers, b = upper + j % uppers;
@@ -192,7 +193,8 @@ static void place_on_limb(const void *context, double u, double angle,
     double s, r;
     find_profile(l, length, u, &s, &r);
     for (int k = 0; k < 3; k++)
-        at[k] = l->from[k] + s * way[k] + r * (cos(angle) * a[k] + sin(angle) * b[k]);
+        at[k] = l->from[k] + s * way[k] +
+                r * (cos(angle) * a[k] + sin(angle) * b[k]);
 }
 
 static void add_limb(fig_some_mesh *mesh, const limb *l, int around)
@@ -353,12 +355,16 @@ static void make_fold(fig_some_mesh *mesh)
 
 static void make_bottle(fig_some_mesh *mesh)
 {
-    enum { N = 36, M = 18 };
+    enum {
+        N = 36,
+        M = 18
+    };
     int first = mesh->vertices;
     for (int i = 0; i < N; i++)
         for (int j = 0; j < M; j++) {
             double u = tau * i / N, v = tau * (j + 0.5) / M;
-            double r = 0.55 + 0.22 * (cos(u / 2) * sin(v) - sin(u / 2) * sin(2 * v));
+            double r =
+                0.55 + 0.22 * (cos(u / 2) * sin(v) - sin(u / 2) * sin(2 * v));
             add_vertex(mesh, r * cos(u), r * sin(u),
                        0.4 * (sin(u / 2) * sin(v) + cos(u / 2) * sin(2 * v)));
         }

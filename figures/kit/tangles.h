@@ -10,7 +10,7 @@
 /// A surface, and which of its vertices have to stay.
 typedef struct fig_tangle {
     fig_some_mesh mesh;
-    bool *fixed; ///< of each vertex; NULL: none has to
+    bool *fixed;       ///< of each vertex; NULL: none has to
     fig_camera camera; ///< that shows it well
 } fig_tangle;
 

@@ -54,9 +54,9 @@ static void draw_way(fig_page *page, const fig_plot *plot,
         double by = most * i / (STEPS - 1);
         curve[i] = (fig_point){by, length_after(tangle, ways[way].by, by)};
     }
-    fig_plot_curve(page, plot, STEPS, curve,
-                   (fig_stroke){.paint = {.role = ways[way].role},
-                                .width = 1.6});
+    fig_plot_curve(
+        page, plot, STEPS, curve,
+        (fig_stroke){.paint = {.role = ways[way].role}, .width = 1.6});
     char key[32];
     snprintf(key, sizeof key, "shorter_%s", ways[way].key);
     fig_number(numbers, key, curve[0].y - curve[STEPS / 2].y);

@@ -71,11 +71,11 @@ static void draw(fig_page *page, FILE *numbers)
     fig_tangle_draw_in(panel, &tangle, mesh->x);
     const tf_vector middle = {{1.15, 0.03, 0.65}};
     for (int i = 0; i < DIRECTIONS; i++)
-        fig_scene_arrow(fig_panel_scene(panel), middle,
-                        fig_combination(middle, 0.6 * way[i], direction_of(i)),
-                        i == least ? FIG_WIDTH_TUBE : FIG_WIDTH_THIN,
-                        (fig_paint){.role = i == least ? FIG_ROLE_CONTACT
-                                                       : FIG_ROLE_INK});
+        fig_scene_arrow(
+            fig_panel_scene(panel), middle,
+            fig_combination(middle, 0.6 * way[i], direction_of(i)),
+            i == least ? FIG_WIDTH_TUBE : FIG_WIDTH_THIN,
+            (fig_paint){.role = i == least ? FIG_ROLE_CONTACT : FIG_ROLE_INK});
     fig_page_caption(page, left, "26 ways out");
     count_moved(&tangle, curves.part,
                 tf_vector_scaled(way[least], direction_of(least)), x);

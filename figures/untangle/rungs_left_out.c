@@ -31,8 +31,7 @@ static void draw(fig_page *page, FILE *numbers)
         fig_point left = fig_plot_place(&plot, 0, y + 0.32),
                   right = fig_plot_place(&plot, clear(i), y - 0.32);
         fig_page_fill_box(
-            page,
-            (fig_box){left.x, left.y, right.x - left.x, right.y - left.y},
+            page, (fig_box){left.x, left.y, right.x - left.x, right.y - left.y},
             (fig_paint){.role = i == 0 ? FIG_ROLE_TRIANGLE : FIG_ROLE_EDGE});
         snprintf(text, sizeof text, i == 0 ? "all rungs" : "without *%s*",
                  ways[i]);

@@ -68,10 +68,8 @@ static void make_curves(curves *c)
 
 static size_t count_crossings(curves *c, const tf_crossing **row)
 {
-    tf_mesh mesh = {.axes = 2,
-                    .vertices = VERTICES,
-                    .edges = EDGES,
-                    .edge = c->edge};
+    tf_mesh mesh = {
+        .axes = 2, .vertices = VERTICES, .edges = EDGES, .edge = c->edge};
     tf_crossings found;
     if (!c->surface)
         TF_REQUIRE(tf_surface_create(&mesh, &c->surface, NULL) == TF_OK);
@@ -129,7 +127,8 @@ static void find_nearest(curves *c, int v)
             continue;
         fig_point a = at(c, first), b = at(c, first + 1), p = at(c, v);
         double dx = b.x - a.x, dy = b.y - a.y;
-        double part = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
+        double part =
+            ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
         part = fmin(1, fmax(0, part));
         fig_point foot = {a.x + part * dx, a.y + part * dy};
         double distance = hypot(p.x - foot.x, p.y - foot.y);
@@ -152,8 +151,8 @@ static void find_push(curves *c)
             continue;
         find_nearest(c, v);
         fig_point n = normal_of(c, c->nearest[v]), p = at(c, v);
-        double gap = c->side * ((p.x - c->foot[v].x) * n.x +
-                                (p.y - c->foot[v].y) * n.y);
+        double gap =
+            c->side * ((p.x - c->foot[v].x) * n.x + (p.y - c->foot[v].y) * n.y);
         double half = c->side * (margin * c->mean - gap) / 2;
         for (int i = -1; i < 2; i++) {
             int w = i < 0 ? v : c->nearest[v] + i;
@@ -194,11 +193,11 @@ static void draw_curves(fig_page *page, const fig_plot *plot, const curves *c)
 {
     for (int e = 0; e < EDGES; e++) {
         int v = c->edge[2 * (ptrdiff_t)e];
-        fig_plot_curve(page, plot, 2, (fig_point[]){at(c, v), at(c, v + 1)},
-                       (fig_stroke){.paint = {.role = v < LOWER
-                                                          ? FIG_ROLE_TRIANGLE
-                                                          : FIG_ROLE_EDGE},
-                                    .width = 1.6});
+        fig_plot_curve(
+            page, plot, 2, (fig_point[]){at(c, v), at(c, v + 1)},
+            (fig_stroke){.paint = {.role = v < LOWER ? FIG_ROLE_TRIANGLE
+                                                     : FIG_ROLE_EDGE},
+                         .width = 1.6});
     }
     for (int v = 0; v < VERTICES; v++)
         fig_plot_dot(page, plot, at(c, v).x, at(c, v).y, c->wrong[v] ? 4.2 : 3,

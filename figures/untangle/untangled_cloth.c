@@ -61,8 +61,8 @@ static void draw_counts(fig_page *page, fig_box box, const fig_untangling *all,
                      .ticks_y = 4};
     fig_plot_frame(page, &plot);
     for (int i = 0; i <= last; i++)
-        curve[i] = (fig_point){all->rounds[i],
-                               (double)all->state[i].report.left};
+        curve[i] =
+            (fig_point){all->rounds[i], (double)all->state[i].report.left};
     fig_plot_curve(page, &plot, last + 1, curve,
                    (fig_stroke){.paint = {.role = FIG_ROLE_CONTACT}});
     for (int i = 0; i <= last; i++)

@@ -74,12 +74,11 @@ static void draw_curves(fig_page *page, const fig_plot *plot, const double x[],
             const double *from = x + 2 * (ptrdiff_t)(c * POINTS + i);
             at[i] = (fig_point){from[0], from[1]};
         }
-        fig_plot_curve(
-            page, plot, POINTS, at,
-            (fig_stroke){.paint = {.role = c == 0 ? FIG_ROLE_TRIANGLE
-                                                  : FIG_ROLE_EDGE,
-                                   .shade = shade},
-                         .width = width});
+        fig_plot_curve(page, plot, POINTS, at,
+                       (fig_stroke){.paint = {.role = c == 0 ? FIG_ROLE_TRIANGLE
+                                                             : FIG_ROLE_EDGE,
+                                              .shade = shade},
+                                    .width = width});
     }
 }
 
@@ -91,17 +90,17 @@ static void draw_vertices(fig_page *page, const fig_plot *plot, const states *s,
         const double *x = s->x[state] + 2 * (ptrdiff_t)v;
         bool went = moved(s, state, v) > 0;
         fig_plot_dot(page, plot, x[0], x[1], went ? 3.4 : 2,
-                     went            ? FIG_ROLE_POINT
-                     : v < POINTS    ? FIG_ROLE_TRIANGLE
-                                     : FIG_ROLE_EDGE);
+                     went         ? FIG_ROLE_POINT
+                     : v < POINTS ? FIG_ROLE_TRIANGLE
+                                  : FIG_ROLE_EDGE);
     }
 }
 
 static void draw_state(fig_page *page, const states *s, int state,
                        FILE *numbers)
 {
-    static const char *const title[STATES] = {
-        "the input", "a clear state", "after the return"};
+    static const char *const title[STATES] = {"the input", "a clear state",
+                                              "after the return"};
     static const char *const key[STATES] = {"input", "found", "home"};
     double height = (fig_page_height(page) - 6) / STATES;
     fig_plot plot = {.box = {92, 3 + height * state, 288, height - 4},

@@ -45,9 +45,8 @@ typedef struct tangle {
 
 static tf_untangle_report untangle(tangle *t, int without)
 {
-    tf_untangle_options options = {.size = sizeof options,
-                                   .fixed = t->made.fixed,
-                                   .without = without};
+    tf_untangle_options options = {
+        .size = sizeof options, .fixed = t->made.fixed, .without = without};
     tf_untangle_report report;
     double before = processor_seconds();
     require(tf_untangle(t->resolver, t->made.mesh.vertices, t->made.mesh.x,

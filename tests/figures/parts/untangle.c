@@ -21,7 +21,8 @@ static double volume(const double *a, const double *b, const double *c,
 /// Whether an edge passes through a triangle, as far as rounding can tell.
 static bool passes(const double *a, const double *b, const double *const t[3])
 {
-    double high = volume(a, t[0], t[1], t[2]), low = volume(b, t[0], t[1], t[2]);
+    double high = volume(a, t[0], t[1], t[2]),
+           low = volume(b, t[0], t[1], t[2]);
     double part[3];
     for (int i = 0; i < 3; i++)
         part[i] = volume(a, b, t[i], t[(i + 1) % 3]);
@@ -59,5 +60,5 @@ static void balls_are_checked(void)
     fig_tangle_free(&tangle);
 }
 
-const figure_test untangle_tests[] = {
-    {&fig_twelve_tangles, balls_are_checked}, {NULL, NULL}};
+const figure_test untangle_tests[] = {{&fig_twelve_tangles, balls_are_checked},
+                                      {NULL, NULL}};

@@ -11,10 +11,9 @@ enum {
     LINE = 1024
 };
 
-static const figure_test *const parts[] = {plane_tests,      space_tests,
-                                           arithmetic_tests, surfaces_tests,
-                                           response_tests,   untangle_tests,
-                                           adaptive_tests};
+static const figure_test *const parts[] = {
+    plane_tests,    space_tests,    arithmetic_tests, surfaces_tests,
+    response_tests, untangle_tests, adaptive_tests};
 
 const char *printed;
 static const char *name; ///< of the figure under test

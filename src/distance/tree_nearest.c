@@ -11,7 +11,7 @@ enum {
 };
 
 //: Find the corners of a facet
-static const int *corners_of(const tf_chosen_facets *facets, int place)
+static const int *corners_of_facet(const tf_chosen_facets *facets, int place)
 {
     int facet = facets->chosen ? facets->chosen[place] : place;
     return facets->corner + (ptrdiff_t)facets->axes * facet;
@@ -63,7 +63,7 @@ static void measure(tf_landing *own, tf_vector p, const tf_vector corner[])
 
 tf_landing tf_land(const tf_chosen_facets *facets, tf_vector point, int place)
 {
-    const int *index = corners_of(facets, place);
+    const int *index = corners_of_facet(facets, place);
     tf_vector corner[3] = {{{0, 0, 0}}};
     int facet = (int)((index - facets->corner) / facets->axes);
     tf_landing best = {place, facet, .distance = INFINITY};
@@ -100,7 +100,7 @@ static void add_box(tf_tree_box *box, const tf_tree_box *other)
 static tf_tree_box box_of(const tf_chosen_facets *facets, int place)
 {
     tf_tree_box box = nothing;
-    const int *corner = corners_of(facets, place);
+    const int *corner = corners_of_facet(facets, place);
     for (int c = 0; c < facets->axes; c++) {
         tf_vector at = place_of(facets, corner[c]);
         tf_tree_box point;
@@ -245,7 +245,7 @@ typedef struct search {
 
 static bool has_corner(const tf_chosen_facets *facets, int place, int vertex)
 {
-    const int *corner = corners_of(facets, place);
+    const int *corner = corners_of_facet(facets, place);
     for (int c = 0; c < facets->axes; c++)
         if (corner[c] == vertex)
             return true;

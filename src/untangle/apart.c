@@ -27,7 +27,7 @@ typedef struct part {
     tf_nearest_tree tree;
 } part;
 
-typedef struct parts {
+typedef struct part_list {
     const tf_tangle *tangle;
     const double *x;
     int count;
@@ -35,7 +35,7 @@ typedef struct parts {
     part **order; ///< in which they find their places
     int *corner;  ///< of the elements, part by part, `axes` each
     tf_buffer corners, own;
-} parts;
+} part_list;
 
 //: List the elements of parts
 static bool is_loose(const tf_neighbors *near, int edge)
@@ -43,7 +43,7 @@ static bool is_loose(const tf_neighbors *near, int edge)
     return near->axes == 3 && tf_list_length(&near->sides, edge) == 0;
 }
 
-static void add_element(parts *all, int count, const int corner[])
+static void add_element(part_list *all, int count, const int corner[])
 {
     int axes = all->tangle->near.axes;
     part *own = &all->part[all->tangle->near.part[corner[0]]];
@@ -52,7 +52,7 @@ static void add_element(parts *all, int count, const int corner[])
         to[c] = corner[c < count ? c : count - 1];
 }
 
-static void list_elements(parts *all)
+static void list_elements(part_list *all)
 {
     const tf_neighbors *near = &all->tangle->near;
     for (int f = 0; f < near->facets; f++)
@@ -85,7 +85,7 @@ static bool precedes(const void *a, const void *b)
     return first->number < second->number;
 }
 
-static bool sort_parts(parts *all)
+static bool sort_parts(part_list *all)
 {
     const tf_neighbors *near = &all->tangle->near;
     for (int v = 0; v < near->vertices; v++) {
@@ -113,7 +113,7 @@ static bool sort_parts(parts *all)
 
 //: Note which parts meet
 /// Those that only touch have to move, too: they may lie upon each other.
-static void note_meetings(parts *all)
+static void note_meetings(part_list *all)
 {
     const tf_crossings *crossings = &all->tangle->crossings;
     const int *part_of = all->tangle->near.part;
@@ -131,7 +131,7 @@ static void note_meetings(parts *all)
 }
 
 //: Begin to move parts apart
-static bool begin(parts *all)
+static bool begin(part_list *all)
 {
     const tf_neighbors *near = &all->tangle->near;
     size_t elements = (size_t)near->facets + (size_t)near->edges;
@@ -161,7 +161,7 @@ static bool begin(parts *all)
     return true;
 }
 
-static void end(parts *all)
+static void end(part_list *all)
 {
     for (int p = 0; all->part && p < all->count; p++)
         tf_nearest_tree_free(&all->part[p].tree);
@@ -257,7 +257,7 @@ static bool parts_cross(const part *a, const part *b)
 //: Try a translation
 /// Whether a part, the one at `turn` in the order, is free of those before it.
 /// The one that was in the way last is tried first.
-static bool is_free(const parts *all, int turn, tf_vector offset, int *last)
+static bool is_free(const part_list *all, int turn, tf_vector offset, int *last)
 {
     part *own = all->order[turn];
     own->offset = offset;
@@ -290,7 +290,7 @@ static int list_directions(int axes, tf_vector direction[])
 
 /// How long the translations of a trial are, half a mean edge more from one to
 /// the next at first, and then more and more.
-static double trial_length(const parts *all, double trial)
+static double trial_length(const part_list *all, double trial)
 {
     return trial * (1 + trial / 50) * all->tangle->edge / 2;
 }
@@ -298,7 +298,7 @@ static double trial_length(const parts *all, double trial)
 //: Shorten a translation
 /// Halves the step from the last trial, in which the part was not free, to this
 /// one; returns how long the translation then is.
-static double shorten(const parts *all, int turn, tf_vector direction,
+static double shorten(const part_list *all, int turn, tf_vector direction,
                       int trial, int *last)
 {
     double low = trial_length(all, trial - 1), high = trial_length(all, trial);
@@ -315,7 +315,7 @@ static double shorten(const parts *all, int turn, tf_vector direction,
 //: Try all directions
 /// Finds the least translation of a trial that frees a part, in `offset`; its
 /// length, 0 if there is none, or -1 if the caller cancels.
-static double try_directions(const parts *all, int turn, int trial,
+static double try_directions(const part_list *all, int turn, int trial,
                              tf_vector *offset, int *last)
 {
     tf_vector direction[26];
@@ -336,7 +336,7 @@ static double try_directions(const parts *all, int turn, int trial,
 }
 
 //: Find the place of a part
-static bool find_place(parts *all, int turn)
+static bool find_place(part_list *all, int turn)
 {
     tf_vector none = {{0, 0, 0}}, offset = none;
     int last = turn;
@@ -351,7 +351,7 @@ static bool find_place(parts *all, int turn)
 }
 
 //: Move parts apart
-static bool move(parts *all, double x[], bool *moved)
+static bool move(part_list *all, double x[], bool *moved)
 {
     const tf_neighbors *near = &all->tangle->near;
     for (int i = 0; i < all->count; i++)
@@ -371,7 +371,7 @@ static bool move(parts *all, double x[], bool *moved)
 
 bool tf_move_apart(const tf_tangle *tangle, double x[], bool *moved)
 {
-    parts all = {.tangle = tangle, .x = x, .count = tangle->near.parts};
+    part_list all = {.tangle = tangle, .x = x, .count = tangle->near.parts};
     *moved = false;
     if (all.count < 2)
         return true;

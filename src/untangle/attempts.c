@@ -41,7 +41,7 @@ static void copy(const tf_attempts *all, double to[], const double from[])
     memcpy(to, from, coordinates(all) * sizeof *to);
 }
 
-static tf_status judge(tf_attempts *all)
+static tf_status judge_state(tf_attempts *all)
 {
     tf_status status = tf_tangle_check(&all->tangle, all->x);
     if (status != TF_OK)
@@ -76,7 +76,7 @@ static tf_status step(tf_attempts *all, tf_untangle_rung rung, int rings)
     all->next = swap;
     all->rounds++;
     all->rungs |= moved ? (int)rung : 0;
-    status = judge(all);
+    status = judge_state(all);
     if (!moved)
         all->idle = IDLE_ROUNDS + 1;
     return status;
@@ -118,7 +118,7 @@ static tf_status start(tf_attempts *all, const double from[])
     all->few = (size_t)-1;
     all->idle = 0;
     all->rings = 1;
-    return judge(all);
+    return judge_state(all);
 }
 
 //: Make an attempt
@@ -161,7 +161,7 @@ static tf_status relax(tf_attempts *all)
                                  all->change.move[v]));
         all->rounds++;
         all->rungs |= TF_RUNG_RELAX;
-        tf_status status = round % CHECK_EVERY == 0 ? judge(all) : TF_OK;
+        tf_status status = round % CHECK_EVERY == 0 ? judge_state(all) : TF_OK;
         if (status != TF_OK)
             return status;
     }

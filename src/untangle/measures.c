@@ -50,8 +50,8 @@ static double edge_length(const tf_neighbors *near, const double x[], int edge)
 }
 
 /// Edges that have no length, before or after, don't count.
-static void measure_edges(const tf_tangle *tangle, const double x[],
-                          tf_untangle_report *report)
+static void measure_stretch(const tf_tangle *tangle, const double x[],
+                            tf_untangle_report *report)
 {
     const tf_neighbors *near = &tangle->near;
     report->edge = tangle->edge;
@@ -196,7 +196,7 @@ bool tf_measure(const tf_tangle *tangle, const double x[], int power,
     bool has_room = reserve(&all);
     if (has_room) {
         measure_ways(tangle, x, report);
-        measure_edges(tangle, x, report);
+        measure_stretch(tangle, x, report);
         add_rims(&all);
         find_open(&all);
         measure_volumes(tangle, x, &all, report);

@@ -64,9 +64,10 @@ typedef struct tf_untangle_report {
                     ///< a factor of 1.5
     double stretch; ///< the largest factor, grown or shrunk, at least 1
     double volume_before; ///< the sum of the volumes that closed parts enclose,
-                          ///< negative if they are inside out; in the plane,
-                          ///< areas
-    double volume_after;  ///< the same of the output
+                          ///< each at least 0, whichever of its sides is out;
+                          ///< in the plane, areas
+    double volume_after;  ///< the same of the output, where those of parts that
+                          ///< were turned inside out are negative
     int turned;           ///< closed parts whose volume has changed its sign
 } tf_untangle_report;
 

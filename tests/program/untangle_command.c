@@ -23,7 +23,7 @@ static void expect_clear(const char *path)
 {
     char command[200];
     snprintf(command, sizeof command, "$tf check --format summary %s", path);
-    expect_words(run(command).out, "\nintersections: 0\n");
+    expect_words(run("%s", command).out, "\nintersections: 0\n");
 }
 
 // Meshes that are cleared -----------------------------------------------------
@@ -168,7 +168,7 @@ START_TEST(bad_input_changes_nothing)
     make_file("out.obj", "as it was\n");
     char command[200];
     snprintf(command, sizeof command, "$tf untangle %s", bad[_i].arguments);
-    outcome found = run(command);
+    outcome found = run("%s", command);
     ck_assert_int_eq(found.status, 2);
     ck_assert_str_eq(found.out, "");
     expect_words(found.err, bad[_i].error);

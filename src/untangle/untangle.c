@@ -54,7 +54,7 @@ static bool reserve(untangling *own, int vertices)
     own->attempts.x = memory + 2 * own->coordinates;
     own->attempts.next = memory + 3 * own->coordinates;
     own->attempts.best = memory + 4 * own->coordinates;
-    own->fixed = (bool *)(memory + 5 * own->coordinates);
+    own->fixed = (void *)(memory + 5 * own->coordinates);
     return true;
 }
 

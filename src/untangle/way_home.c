@@ -27,7 +27,7 @@ static bool reserve(tf_way_home *way, const tf_tangle *tangle)
         return false;
     way->end = way->storage.data;
     way->mass = way->end + coordinates(tangle);
-    way->meets = (bool *)(way->mass + vertices);
+    way->meets = (void *)(way->mass + vertices);
     for (size_t v = 0; v < vertices; v++)
         way->mass[v] = tangle->fixed[v] ? 0 : 1;
     way->steps = 0;

@@ -410,9 +410,9 @@ fig_tangle fig_tangle_make(const char *name)
     while (strcmp(makers[i].name, name) != 0)
         TF_REQUIRE(++i < sizeof makers / sizeof *makers);
     fig_tangle tangle = {0};
-    tangle.mesh.x = malloc(3 * VERTICES_MOST * sizeof *tangle.mesh.x);
+    tangle.mesh.x = malloc((size_t)3 * VERTICES_MOST * sizeof *tangle.mesh.x);
     tangle.mesh.triangle =
-        malloc(3 * TRIANGLES_MOST * sizeof *tangle.mesh.triangle);
+        malloc((size_t)3 * TRIANGLES_MOST * sizeof *tangle.mesh.triangle);
     TF_REQUIRE(tangle.mesh.x && tangle.mesh.triangle);
     makers[i].make(&tangle.mesh);
     tangle.camera = (fig_camera){.azimuth = makers[i].azimuth,

@@ -99,7 +99,8 @@ static void draw(fig_page *page, FILE *numbers)
         draw_way(page, &plot, &tangle, i, numbers);
     name_line(page, &plot, 0.16, 0.93, "across it, or up", FIG_ROLE_INK);
     name_line(page, &plot, 0.16, 0.48, "along the curve", FIG_ROLE_CONTACT);
-    fig_number(numbers, "half", most * (STEPS / 2) / (STEPS - 1));
+    int half = STEPS / 2;
+    fig_number(numbers, "half", most * half / (STEPS - 1));
     fig_tangle_free(&tangle);
 }
 

@@ -47,7 +47,8 @@ static double find_way(const fig_tangle *tangle, const int part[],
 static tf_vector direction_of(int i)
 {
     i += i >= DIRECTIONS / 2;
-    tf_vector way = {{i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1}};
+    int middle = i / 3 % 3, high = i / 9;
+    tf_vector way = {{i % 3 - 1, middle - 1, high - 1}};
     return fig_normalized(way);
 }
 

@@ -19,8 +19,8 @@ static void draw_tangle(fig_page *page, int i, FILE *numbers)
 {
     double width = fig_page_width(page) / COLUMNS,
            height = fig_page_height(page) / ROWS;
-    fig_box box = {i % COLUMNS * width, i / COLUMNS * height, width,
-                   height - 15};
+    int row = i / COLUMNS;
+    fig_box box = {i % COLUMNS * width, row * height, width, height - 15};
     fig_tangle tangle = fig_tangle_make(fig_tangle_name(i));
     fig_untangled untangled = fig_untangle(&tangle, 0, 0);
     fig_tangle_draw(page, box, &tangle, untangled.x);

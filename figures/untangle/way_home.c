@@ -30,8 +30,8 @@ static void make_curves(states *s)
     for (int v = 0; v < VERTICES; v++) {
         double along = 2. * (v % POINTS) / (POINTS - 1) - 1, *x = s->x[0];
         bool upper = v >= POINTS;
-        x[2 * v] = 1.2 * along + (upper ? 0.007 : 0);
-        x[2 * v + 1] =
+        x[2 * (ptrdiff_t)v] = 1.2 * along + (upper ? 0.007 : 0);
+        x[2 * (ptrdiff_t)v + 1] =
             upper ? 0.16 - 0.5 * exp(-60 * (along + 0.45) * (along + 0.45)) -
                         0.28 * exp(-30 * (along - 0.4) * (along - 0.4))
                   : 0.05 * sin(4 * along);

@@ -48,17 +48,18 @@ static int sides_through(const fig_some_mesh *mesh, int s, int t)
     return count;
 }
 
-/// Six balls are closed: each edge has two triangles.
-static void balls_are_checked(void)
+/// The loop is closed, so that each edge has two triangles; it is bent, so that
+/// rounding misleads nowhere; and no two of its edges meet.
+static void loop_is_checked(void)
 {
-    fig_tangle tangle = fig_tangle_make("six balls");
+    fig_tangle tangle = fig_tangle_make("loop");
     int passed = 0;
     for (int s = 0; s < tangle.mesh.triangles; s++)
         for (int t = 0; t < tangle.mesh.triangles; t++)
             passed += sides_through(&tangle.mesh, s, t);
-    expect(passed / 2, "crossings_9");
+    expect(passed / 2., "crossings_4");
     fig_tangle_free(&tangle);
 }
 
-const figure_test untangle_tests[] = {{&fig_twelve_tangles, balls_are_checked},
+const figure_test untangle_tests[] = {{&fig_twelve_tangles, loop_is_checked},
                                       {NULL, NULL}};

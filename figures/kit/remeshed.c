@@ -146,7 +146,7 @@ static void do_rounds(fig_remeshing *all, tf_remesher *remesher, int rounds)
         for (int k = 0; k < TF_REMESH_PASSES; k++)
             repeat_pass(all, remesher, policy->pass[k].operation,
                         policy->pass[k].most);
-        TF_REQUIRE(tf_adaptive_compact(remesher->surface, NULL) == TF_OK);
+        TF_REQUIRE(tf_remesher_compact(remesher) == TF_OK);
         all->report[i] = remesher->report;
     }
 }
@@ -162,6 +162,8 @@ void fig_remesh(const fig_some_mesh *mesh, double edge, int rounds,
                TF_OK);
     TF_REQUIRE(tf_adaptive_create(&given, mesh->x, &original, NULL) == TF_OK);
     TF_REQUIRE(tf_original_begin(&remesher.original, original, NULL) == TF_OK);
+    TF_REQUIRE(tf_sharp_edges_find(&remesher.sharp, original,
+                                   0x1.d0p-1, 0, NULL));
     *remeshing = (fig_remeshing){0};
     if (tangled)
         leave_out(1U << TF_OVERLAPPED | 1U << TF_PASSED_VERTEX |

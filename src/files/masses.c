@@ -126,20 +126,28 @@ bool tf_friction_read(const char *path, int vertices, double friction[],
 }
 
 //: Read scripted vertices
-static bool read_vertex(list *read, tf_text *text)
+bool tf_vertex_read(tf_text *text, int vertices, int *vertex)
 {
     const char *at = text->at;
-    int64_t vertex;
-    if (*at == '-' || *at == '+' || !tf_integer_read(&at, &vertex) ||
+    int64_t number;
+    if (*at == '-' || *at == '+' || !tf_integer_read(&at, &number) ||
         !ends_word(*at))
         return fault_in_word(text, "not a vertex; write its number, from 0");
-    if (vertex >= read->vertices)
+    if (number >= vertices)
         return tf_text_fault(
             text, "there is no vertex %s; they are numbered from 0 to %d",
-            tf_quote(text->at, (size_t)(at - text->at)).text,
-            read->vertices - 1);
-    read->number[vertex] = 0;
+            tf_quote(text->at, (size_t)(at - text->at)).text, vertices - 1);
+    *vertex = (int)number;
     text->at = at;
+    return true;
+}
+
+static bool read_vertex(list *read, tf_text *text)
+{
+    int vertex = 0;
+    if (!tf_vertex_read(text, read->vertices, &vertex))
+        return false;
+    read->number[vertex] = 0;
     return true;
 }
 

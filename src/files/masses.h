@@ -1,7 +1,7 @@
 //: Declare files of masses
 #pragma once
 
-#include "files/fault.h"
+#include "files/text.h"
 
 /// Reads the masses of all vertices, in their order, from the file at `path`
 /// ("-": standard input), and sets their inverses.  False: there is a fault.
@@ -11,6 +11,9 @@ bool tf_masses_read(const char *path, int vertices, double inverse_mass[],
 /// Reads Coulomb's coefficients of all vertices, in their order.
 bool tf_friction_read(const char *path, int vertices, double friction[],
                       tf_fault *fault);
+
+/// Reads the number of a vertex, from 0, and steps behind it.
+bool tf_vertex_read(tf_text *text, int vertices, int *vertex);
 
 /// Reads the numbers, from 0, of the scripted vertices, and sets their inverse
 /// masses to 0.

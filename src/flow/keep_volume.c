@@ -120,19 +120,13 @@ static bool collapse_for_volume(tf_remesher *remesher, int corner,
                                 tf_edge_collapse *collapse)
 {
     const tf_adaptive_surface *surface = remesher->surface;
-    const int end[] = {tf_vertex_at(surface, corner),
-                       tf_vertex_at(surface, tf_corner_after(corner))};
-    tf_freedom freedom[] = {TF_FREE, TF_FREE};
-    bool inside = true;
-    for (int i = 0; i < 2; i++)
-        if (tf_is_boundary_vertex(surface, end[i])) {
-            freedom[i] = tf_freedom_of(surface, end[i]);
-            inside = false;
-        }
+    const tf_sharp_edges *sharp = &remesher->sharp;
+    int after = tf_corner_after(corner);
+    bool inside =
+        tf_freedom_of(sharp, tf_vertex_at(surface, corner)) == TF_FREE &&
+        tf_freedom_of(sharp, tf_vertex_at(surface, after)) == TF_FREE;
     return inside ? choose_inside(remesher, corner, collapse)
-                  : tf_collapse_freer(surface, corner, freedom,
-                                      tf_is_boundary_edge(surface, corner),
-                                      collapse);
+                  : tf_collapse_freer(surface, sharp, corner, 0, collapse);
 }
 
 //: Find out whether a star is smooth

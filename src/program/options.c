@@ -145,6 +145,13 @@ const tf_option tf_options[] = {
              "default is those at exactly the same position"},
     {TF_REMESH, OPTION("edge", 'e', "L", edge, TF_REAL), POSITIVE,
      .required = true, .help = "The length that edges should have"},
+    {TF_REMESH, OPTION("crease", 0, "ANGLE", crease, TF_REAL),
+     .least = DBL_TRUE_MIN, .most = 180, .usual = "25",
+     .help = "Edges at which the surface turns by more than this, in degrees, "
+             "are sharp and stay"},
+    {TF_REMESH, OPTION("keep", 0, "FILE", keep, TF_TEXT),
+     .help = "More sharp edges, one a line: the numbers of their two vertices, "
+             "from 0; a vertex alone is a corner"},
     {TF_REMESH, OPTION("rounds", 0, "N", rounds, TF_WHOLE), .least = 1,
      .most = 1000, .usual = "5", .help = "How often to go through all changes"},
     {TF_SIMULATE, OPTION("steps", 0, "N", steps, TF_WHOLE), .least = 0,

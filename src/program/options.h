@@ -39,6 +39,8 @@ typedef struct tf_request {
     double within;    ///< of weld: a length, 0 if not given
     double edge;      ///< of remesh and simulate: a length, 0 if not given
     int rounds;
+    double crease;    ///< of remesh: degrees
+    const char *keep; ///< of remesh: a file, or NULL
     int steps, size; ///< of simulate
     bool resume;
 } tf_request;

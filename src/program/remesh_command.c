@@ -1,4 +1,5 @@
 //: Include what the command remesh needs
+#include "files/kept_edges.h"
 #include "program/command.h"
 #include "program/mesh_output.h"
 #include "program/progress.h"
@@ -19,6 +20,7 @@ typedef struct remeshing {
     tf_source source;   ///< the file itself
     tf_columns carried; ///< and those of the surface then
     tf_adaptive_surface *surface;
+    tf_kept_edges kept;
     tf_remeshed done;
     tf_destination out;
     tf_progress_line progress;
@@ -36,6 +38,15 @@ static bool load(remeshing *r)
     return status == TF_OK || tf_error_fault(file, &error);
 }
 
+//: Read which edges are kept
+static bool read_kept(remeshing *r)
+{
+    const char *path = r->request->keep;
+    int vertices = tf_mesh_file_elements(tf_frames_file(&r->frames), 3).vertices;
+    return !path ||
+           tf_kept_edges_read(&r->kept, path, vertices, &r->frames.fault);
+}
+
 //: Show the progress of remeshing
 static bool show_progress(void *context, const tf_stage *stage)
 {
@@ -46,13 +57,38 @@ static bool show_progress(void *context, const tf_stage *stage)
     return true;
 }
 
+//: Refuse how to remesh
+/// A length that is too short, or a kept edge that is none.
+static bool refuse_option(remeshing *r, const tf_error *error)
+{
+    if (strcmp(error->option, "keep") != 0)
+        return tf_mesh_file_fault(
+            tf_frames_file(&r->frames), -1,
+            "--edge %g would take too many triangles; give a longer one",
+            error->value);
+    const int *vertex = r->kept.vertex + 2 * (ptrdiff_t)error->value;
+    const char *path = r->request->keep;
+    return vertex[0] == vertex[1]
+               ? tf_fault_set(&r->frames.fault, path, -1,
+                              "vertex %d has no triangle; it can't be kept",
+                              vertex[0])
+               : tf_fault_set(&r->frames.fault, path, -1,
+                              "no edge joins the vertices %d and %d; keep "
+                              "edges that the mesh has",
+                              vertex[0], vertex[1]);
+}
+
 //: Remesh the surface of a file
 static bool remesh(remeshing *r)
 {
-    tf_remesh_options how = {.edge = r->request->edge,
+    tf_remesh_options how = {.size = sizeof how,
+                             .edge = r->request->edge,
                              .rounds = r->request->rounds,
                              .progress = show_progress,
-                             .context = &r->progress};
+                             .context = &r->progress,
+                             .crease = r->request->crease,
+                             .keeps = r->kept.count,
+                             .keep = r->kept.vertex};
     const tf_remesh_report *report;
     tf_error error;
     double begin = tf_clock_seconds();
@@ -61,10 +97,7 @@ static bool remesh(remeshing *r)
     r->done.edge = how.edge;
     const tf_mesh_file *file = tf_frames_file(&r->frames);
     if (status == TF_BAD_OPTION)
-        return tf_mesh_file_fault(
-            file, -1,
-            "--edge %g would take too many triangles; give a longer one",
-            how.edge);
+        return refuse_option(r, &error);
     if (status != TF_OK)
         return tf_error_fault(file, &error);
     r->done.report = *report;
@@ -106,6 +139,7 @@ static bool do_all(remeshing *r)
 {
     const tf_request *wanted = r->request;
     if (!tf_frames_next(&r->frames, wanted->operand[0]) || !load(r) ||
+        !read_kept(r) ||
         !tf_mesh_output_begin(&r->out, wanted->out, tf_frames_file(&r->frames),
                               &r->frames.fault))
         return false;
@@ -125,6 +159,7 @@ static int run(const tf_request *request)
     bool good = do_all(&r);
     tf_fault_print(&r.frames.fault, "tanglefree");
     tf_destination_end(&r.out);
+    tf_kept_edges_free(&r.kept);
     tf_adaptive_free(r.surface);
     tf_columns_free(&r.columns);
     tf_columns_free(&r.carried);

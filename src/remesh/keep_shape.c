@@ -10,6 +10,15 @@ static tf_vector project(tf_remesher *remesher, tf_vector point)
     return found->distance < remesher->edge ? found->point : point;
 }
 
+//: Find out whether an edge is sharp
+static bool is_sharp(const tf_remesher *remesher, int corner)
+{
+    const tf_adaptive_surface *surface = remesher->surface;
+    int a = tf_vertex_at(surface, corner);
+    int b = tf_vertex_at(surface, tf_corner_after(corner));
+    return tf_find_sharp_edge(&remesher->sharp, a, b);
+}
+
 //: Choose where an edge is split
 /// In the middle, and unless the edge is sharp, where the original is nearest
 /// to that.
@@ -22,12 +31,15 @@ static bool split_for_shape(tf_remesher *remesher, int corner, int refused,
         return false;
     *position = tf_middle_of(surface, tf_vertex_at(surface, corner),
                              tf_vertex_at(surface, tf_corner_after(corner)));
-    if (!tf_is_sharp_edge(surface, corner))
+    if (!is_sharp(remesher, corner))
         *position = project(remesher, *position);
     return true;
 }
 
 //: Choose how a short edge collapses
+/// How much of the original's sharp edges is left, at least.
+static const double least_length = 0.999;
+
 /// Two free vertices meet in the middle, and else the freer one goes to the
 /// other.
 static bool collapse_for_shape(tf_remesher *remesher, int corner,
@@ -36,11 +48,10 @@ static bool collapse_for_shape(tf_remesher *remesher, int corner,
     const tf_adaptive_surface *surface = remesher->surface;
     int a = tf_vertex_at(surface, corner);
     int b = tf_vertex_at(surface, tf_corner_after(corner));
-    const tf_freedom freedom[] = {tf_freedom_of(surface, a),
-                                  tf_freedom_of(surface, b)};
-    bool may_go = tf_collapse_freer(
-        surface, corner, freedom, tf_is_sharp_edge(surface, corner), collapse);
-    if (freedom[0] == TF_FREE && freedom[1] == TF_FREE)
+    const tf_sharp_edges *sharp = &remesher->sharp;
+    bool may_go =
+        tf_collapse_freer(surface, sharp, corner, least_length, collapse);
+    if (tf_freedom_of(sharp, a) == TF_FREE && tf_freedom_of(sharp, b) == TF_FREE)
         collapse->position = project(remesher, tf_middle_of(surface, a, b));
     return may_go;
 }
@@ -51,7 +62,7 @@ static bool flip_for_shape(tf_remesher *remesher, const tf_diagonals *both,
                            tf_volume_error *error)
 {
     (void)error;
-    return !tf_is_sharp_edge(remesher->surface, both->corner) &&
+    return !is_sharp(remesher, both->corner) &&
            tf_worse_quality(both->other) > 1.02 * tf_worse_quality(both->own);
 }
 
@@ -59,7 +70,7 @@ static bool flip_for_shape(tf_remesher *remesher, const tf_diagonals *both,
 static bool move_for_shape(tf_remesher *remesher, int vertex,
                            tf_vector *position)
 {
-    if (tf_freedom_of(remesher->surface, vertex) != TF_FREE)
+    if (tf_freedom_of(&remesher->sharp, vertex) != TF_FREE)
         return false;
     *position = project(remesher, tf_star_middle(remesher->surface, vertex));
     return true;

@@ -46,6 +46,12 @@ typedef struct tf_remesh_options {
                  ///< not at all
     tf_progress *progress; ///< NULL: nothing is told
     void *context;         ///< passed on to `progress`
+    double crease; ///< an edge is sharp if the normals of its two triangles are
+                   ///< further apart than this, in degrees; 0: 25; at most 180,
+                   ///< and then only boundaries and kept edges are
+    int keeps;     ///< how many kept edges there are, 0 or more
+    const int *keep; ///< of each kept edge its two vertices: it is sharp, too;
+                     ///< twice the same vertex: that is a corner
 } tf_remesh_options;
 
 /// @}

@@ -19,6 +19,16 @@ static tf_status trace(tf_remesher *remesher, int vertex, int a, int b,
                : TF_OUT_OF_MEMORY;
 }
 
+//: Hand on what is sharp
+static tf_status split_sharp(tf_remesher *remesher, const tf_edge_row *edge,
+                             int vertex, bool sharp)
+{
+    tf_sharp_edges *all = &remesher->sharp;
+    bool good = tf_sharp_edges_extend(all, remesher->surface->vertices) &&
+                (!sharp || tf_sharp_edges_split(all, edge->a, edge->b, vertex));
+    return good ? TF_OK : TF_OUT_OF_MEMORY;
+}
+
 //: Try a split
 static tf_status try_split(tf_remesher *remesher, const tf_edge_row *edge,
                            tf_vector position, bool sharp, tf_outcome *outcome)
@@ -30,9 +40,12 @@ static tf_status try_split(tf_remesher *remesher, const tf_edge_row *edge,
     if (status != TF_OK)
         return status;
     tf_remesher_count(remesher, TF_SPLIT, *outcome);
-    return *outcome == TF_COMMITTED
+    if (*outcome != TF_COMMITTED)
+        return TF_OK;
+    status = split_sharp(remesher, edge, vertex, sharp);
+    return status == TF_OK
                ? trace(remesher, vertex, edge->a, edge->b, sharp)
-               : TF_OK;
+               : status;
 }
 
 //: Split a long edge
@@ -41,8 +54,7 @@ static tf_status split_edge(tf_remesher *remesher, const tf_edge_row *edge)
 {
     const tf_remesh_policy *policy = remesher->policy;
     int corner = tf_find_edge(remesher->surface, edge->a, edge->b);
-    bool sharp = tf_trace_goes(&remesher->trace) &&
-                 tf_is_sharp_edge(remesher->surface, corner);
+    bool sharp = tf_find_sharp_edge(&remesher->sharp, edge->a, edge->b);
     tf_vector position;
     tf_volume_error error = {0};
     tf_outcome outcome = TF_NO_OUTCOME;
@@ -104,9 +116,10 @@ static tf_status collapse(tf_remesher *remesher, const tf_edge_collapse *wanted)
     if (status != TF_OK)
         return status;
     tf_remesher_count(remesher, TF_COLLAPSE, outcome);
-    return outcome == TF_COMMITTED && moved
-               ? trace(remesher, to, from, to, false)
-               : TF_OK;
+    if (outcome != TF_COMMITTED)
+        return TF_OK;
+    tf_sharp_edges_collapse(&remesher->sharp, from, to);
+    return moved ? trace(remesher, to, from, to, false) : TF_OK;
 }
 
 //: Collapse a short edge

@@ -8,11 +8,13 @@
 #include "remesh/measure.h"
 #include "remesh/passes.h"
 #include "surgery/draft.h"
+#include "surgery/star.h"
 
 #include <stddef.h>
 
 enum {
-    USUAL_ROUNDS = 5
+    USUAL_ROUNDS = 5,
+    USUAL_CREASE = 25 ///< degrees
 };
 
 //: Measure the quality of a surface
@@ -52,21 +54,33 @@ static tf_status measure_distance(tf_remesher *remesher)
     return status == TF_OK && tf_watch_cancelled(watch) ? TF_CANCELLED : status;
 }
 
+//: Find the cosine of an angle
+/// Rounded to 40 bits, so that it is the same with every mathematical library.
+static double cosine_of(double degrees)
+{
+    const double pi = 3.14159265358979323846;
+    return ldexp(round(ldexp(cos(degrees * pi / 180), 40)), -40);
+}
+
 //: Begin with the original
 /// Makes a draft of a surface, which stays the original.
 static tf_status begin(tf_remesher *remesher,
-                       const tf_adaptive_surface *surface, tf_watch *watch)
+                       const tf_adaptive_surface *surface,
+                       const tf_remesh_options *options, tf_watch *watch)
 {
+    tf_sharp_edges *sharp = &remesher->sharp_before;
     tf_watch_stage(watch, "copying", 0);
     tf_status status = tf_draft_begin(remesher->surface, surface, watch);
     if (status == TF_OK)
-        status = tf_adaptive_compact(remesher->surface, NULL);
-    if (status == TF_OK)
         status = tf_original_begin(&remesher->original, surface, watch);
-    if (status == TF_OK &&
-        !tf_trace_begin(&remesher->trace, &remesher->original))
-        status = TF_OUT_OF_MEMORY;
-    return status;
+    if (status != TF_OK)
+        return status;
+    return tf_sharp_edges_find(sharp, surface, cosine_of(options->crease),
+                               options->keeps, options->keep) &&
+                   tf_sharp_edges_copy(&remesher->sharp, sharp) &&
+                   tf_trace_begin(&remesher->trace, &remesher->original, sharp)
+               ? TF_OK
+               : TF_OUT_OF_MEMORY;
 }
 
 //: Remesh from the original on
@@ -74,22 +88,50 @@ static tf_status do_round(tf_remesher *remesher)
 {
     tf_status status = tf_remesh_round(remesher);
     remesher->report.rounds++;
-    return status == TF_OK
-               ? tf_trace_compact(&remesher->trace, remesher->surface)
-               : status;
+    return status == TF_OK ? tf_remesher_compact(remesher) : status;
 }
 
 static tf_status do_rounds(tf_remesher *remesher, int rounds)
 {
     tf_remesh_report *report = &remesher->report;
-    tf_status status = measure_quality(remesher->surface, &report->least_before,
-                                       &report->mean_before);
+    tf_status status = tf_remesher_compact(remesher);
+    if (status == TF_OK)
+        status = measure_quality(remesher->surface, &report->least_before,
+                                 &report->mean_before);
     for (int i = 0; i < rounds && status == TF_OK; i++)
         status = do_round(remesher);
     if (status == TF_OK)
         status = measure_quality(remesher->surface, &report->least_after,
                                  &report->mean_after);
     return status == TF_OK ? measure_distance(remesher) : status;
+}
+
+//: Check what is kept
+/// Whether an edge, or a vertex twice, is in a surface.
+static bool has_edge(const tf_adaptive_surface *surface, const int vertex[2])
+{
+    int a = vertex[0], b = vertex[1], count = surface->vertices;
+    if (a < 0 || b < 0 || a >= count || b >= count)
+        return false;
+    if (a == b)
+        return tf_first_corner(surface, a) != TF_NONE;
+    return tf_find_edge(surface, a, b) != TF_NONE ||
+           tf_find_edge(surface, b, a) != TF_NONE;
+}
+
+static tf_status check_sharp(const tf_remesh_options *options,
+                             const tf_adaptive_surface *surface,
+                             tf_error *error)
+{
+    if (!(options->crease > 0 && options->crease <= 180))
+        return tf_fail_option(error, "crease", "above 0, at most 180",
+                              options->crease);
+    if (options->keeps < 0)
+        return tf_fail_option(error, "keeps", "0 or more", options->keeps);
+    for (int i = 0; i < options->keeps; i++)
+        if (!has_edge(surface, options->keep + 2 * (ptrdiff_t)i))
+            return tf_fail_option(error, "keep", "edges of the surface", i);
+    return tf_fail(error, TF_OK);
 }
 
 //: Check how to remesh
@@ -103,11 +145,13 @@ static tf_status read_options(tf_remesh_options *own,
         return tf_fail(error, TF_BAD_ENVIRONMENT);
     tf_status status = tf_options_read(own, sizeof *own, options, first, error);
     own->rounds = own->rounds ? own->rounds : USUAL_ROUNDS;
+    own->crease = own->crease == 0 ? USUAL_CREASE : own->crease;
     tf_choose_scale(surface);
     if (status == TF_OK)
         status = tf_check_coordinates(surface, TF_MOST_FOR_LENGTHS, error);
-    return status == TF_OK ? tf_check_target(surface, own->edge, error)
-                           : status;
+    if (status == TF_OK)
+        status = tf_check_target(surface, own->edge, error);
+    return status == TF_OK ? check_sharp(own, surface, error) : status;
 }
 
 //: Remesh a draft
@@ -132,7 +176,7 @@ static tf_status remesh(tf_adaptive_surface *surface,
                             .edge = options->edge * surface->scale};
     tf_status status = tf_buffer_extend(&surface->lent.remesh_report, 1,
                                         sizeof(tf_remesh_report))
-                           ? begin(&remesher, surface, watch)
+                           ? begin(&remesher, surface, options, watch)
                            : TF_OUT_OF_MEMORY;
     if (status == TF_OK)
         status = do_rounds(&remesher, options->rounds);

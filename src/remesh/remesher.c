@@ -8,6 +8,9 @@ void tf_remesher_free(tf_remesher *remesher)
 {
     tf_original_free(&remesher->original);
     tf_trace_free(&remesher->trace);
+    tf_sharp_edges_free(&remesher->sharp);
+    tf_sharp_edges_free(&remesher->sharp_before);
+    tf_buffer_free(&remesher->map);
     tf_buffer_free(&remesher->row);
     tf_sort_memory_free(&remesher->sorting);
 }
@@ -21,6 +24,22 @@ void tf_remesher_count(tf_remesher *remesher, tf_operation operation,
                        tf_outcome outcome)
 {
     remesher->report.tried[operation][outcome]++;
+}
+
+//: Close the gaps of a remeshing
+tf_status tf_remesher_compact(tf_remesher *remesher)
+{
+    int before = remesher->surface->vertices;
+    if (!tf_buffer_extend(&remesher->map, (size_t)before, sizeof(int)))
+        return TF_OUT_OF_MEMORY;
+    int *map = remesher->map.data;
+    tf_status status = tf_adaptive_compact(remesher->surface, map);
+    if (status != TF_OK)
+        return status;
+    tf_sharp_edges_compact(&remesher->sharp, map);
+    if (tf_trace_goes(&remesher->trace))
+        tf_trace_compact(&remesher->trace, before, map);
+    return TF_OK;
 }
 
 //: Order edges by length

@@ -17,9 +17,12 @@ typedef struct tf_remesher {
     double edge;              ///< the target length
     tf_original original;     ///< empty unless the policy needs one
     tf_projection projection; ///< to it, the last one
+    tf_sharp_edges sharp;     ///< of the surface, by now
+    tf_sharp_edges sharp_before; ///< of the original
     tf_trace trace;           ///< to it
     tf_remesh_report report;
     size_t restored[TF_OUTCOMES]; ///< moves that were to restore volume
+    tf_buffer map;                ///< of vertices, when gaps are closed
     tf_buffer row;                ///< tf_edge_row each
     int rows;
     tf_sort_memory sorting; ///< of the rows
@@ -29,6 +32,10 @@ void tf_remesher_free(tf_remesher *remesher);
 
 /// In bytes, without the original and the trace.
 size_t tf_remesher_memory(const tf_remesher *remesher);
+
+/// Closes the gaps of the surface, and of what is known of its vertices.  Returns
+/// TF_OK, TF_OUT_OF_MEMORY or TF_CANCELLED.
+tf_status tf_remesher_compact(tf_remesher *remesher);
 
 /// Counts what became of an operation.
 void tf_remesher_count(tf_remesher *remesher, tf_operation operation,

@@ -1,10 +1,173 @@
-//: Recognize a sharp edge
+//: Include what sharp edges need
 #include "remesh/sharp_edges.h"
 
 #include "remesh/measure.h"
 #include "surgery/star.h"
 
-bool tf_is_sharp_edge(const tf_adaptive_surface *surface, int corner)
+#include <string.h>
+
+//: Link vertices by sharp edges
+static int *first_of(const tf_sharp_edges *all, int vertex)
+{
+    return (int *)all->first.data + vertex;
+}
+
+static tf_sharp_link *link_of(const tf_sharp_edges *all, int link)
+{
+    return (tf_sharp_link *)all->link.data + link;
+}
+
+static bool *held_at(const tf_sharp_edges *all, int vertex)
+{
+    return (bool *)all->held.data + vertex;
+}
+
+const tf_sharp_link *tf_find_sharp_edge(const tf_sharp_edges *all, int a, int b)
+{
+    int link = *first_of(all, a);
+    while (link != TF_NONE && link_of(all, link)->to != b)
+        link = link_of(all, link)->next;
+    return link == TF_NONE ? NULL : link_of(all, link);
+}
+
+//: Make room for sharp edges
+bool tf_sharp_edges_extend(tf_sharp_edges *all, int vertices)
+{
+    if (vertices <= all->vertices)
+        return true;
+    if (!tf_buffer_extend(&all->first, (size_t)vertices, sizeof(int)) ||
+        !tf_buffer_extend(&all->held, (size_t)vertices, sizeof(bool)))
+        return false;
+    for (int v = all->vertices; v < vertices; v++) {
+        *first_of(all, v) = TF_NONE;
+        *held_at(all, v) = false;
+    }
+    all->vertices = vertices;
+    return true;
+}
+
+/// All vertices lose their sharp edges.
+static bool begin_sharp_edges(tf_sharp_edges *all, int vertices)
+{
+    all->vertices = all->links = 0;
+    all->unused = TF_NONE;
+    return tf_sharp_edges_extend(all, vertices);
+}
+
+void tf_sharp_edges_free(tf_sharp_edges *all)
+{
+    tf_buffer_free(&all->first);
+    tf_buffer_free(&all->link);
+    tf_buffer_free(&all->held);
+}
+
+//: Add a sharp edge
+/// For which there is room.
+static void add_link(tf_sharp_edges *all, int from, int to, double length)
+{
+    int link = all->unused;
+    if (link == TF_NONE)
+        link = all->links++;
+    else
+        all->unused = link_of(all, link)->next;
+    *link_of(all, link) = (tf_sharp_link){to, *first_of(all, from), length};
+    *first_of(all, from) = link;
+}
+
+bool tf_sharp_edges_add(tf_sharp_edges *all, int a, int b, double length)
+{
+    if (tf_find_sharp_edge(all, a, b))
+        return true;
+    if (!tf_buffer_extend(&all->link, (size_t)all->links + 2,
+                          sizeof(tf_sharp_link)))
+        return false;
+    add_link(all, a, b, length);
+    add_link(all, b, a, length);
+    return true;
+}
+
+//: Remove a sharp edge
+static void remove_link(tf_sharp_edges *all, int from, int to)
+{
+    int *place = first_of(all, from);
+    while (link_of(all, *place)->to != to)
+        place = &link_of(all, *place)->next;
+    int link = *place;
+    *place = link_of(all, link)->next;
+    link_of(all, link)->next = all->unused;
+    all->unused = link;
+}
+
+static void remove_edge(tf_sharp_edges *all, int a, int b)
+{
+    remove_link(all, a, b);
+    remove_link(all, b, a);
+}
+
+//: Hand on sharp edges
+bool tf_sharp_edges_split(tf_sharp_edges *all, int a, int b, int vertex)
+{
+    double half = tf_find_sharp_edge(all, a, b)->length / 2;
+    remove_edge(all, a, b);
+    return tf_sharp_edges_add(all, a, vertex, half) &&
+           tf_sharp_edges_add(all, vertex, b, half);
+}
+
+/// Each sharp edge that is removed makes room for the one that takes its place.
+void tf_sharp_edges_collapse(tf_sharp_edges *all, int from, int to)
+{
+    const tf_sharp_link *along = tf_find_sharp_edge(all, from, to);
+    double length = along ? along->length : 0;
+    while (*first_of(all, from) != TF_NONE) {
+        tf_sharp_link next = *link_of(all, *first_of(all, from));
+        remove_edge(all, from, next.to);
+        if (next.to == to || tf_find_sharp_edge(all, to, next.to))
+            continue;
+        add_link(all, to, next.to, length + next.length);
+        add_link(all, next.to, to, length + next.length);
+    }
+}
+
+//: Copy sharp edges
+static bool copy(tf_buffer *to, const tf_buffer *from, int count, size_t size)
+{
+    if (!tf_buffer_extend(to, (size_t)count, size))
+        return false;
+    if (count > 0)
+        memcpy(to->data, from->data, (size_t)count * size);
+    return true;
+}
+
+bool tf_sharp_edges_copy(tf_sharp_edges *all, const tf_sharp_edges *from)
+{
+    all->vertices = from->vertices;
+    all->links = from->links;
+    all->unused = from->unused;
+    return copy(&all->first, &from->first, all->vertices, sizeof(int)) &&
+           copy(&all->held, &from->held, all->vertices, sizeof(bool)) &&
+           copy(&all->link, &from->link, all->links, sizeof(tf_sharp_link));
+}
+
+//: Close the gaps of sharp edges
+/// A vertex that is gone has handed on its sharp edges.
+void tf_sharp_edges_compact(tf_sharp_edges *all, const int map[])
+{
+    int count = 0;
+    for (int v = 0; v < all->vertices; v++) {
+        if (map[v] == TF_NONE)
+            continue;
+        int link = *first_of(all, v);
+        *first_of(all, count) = link;
+        *held_at(all, count++) = *held_at(all, v);
+        for (; link != TF_NONE; link = link_of(all, link)->next)
+            link_of(all, link)->to = map[link_of(all, link)->to];
+    }
+    all->vertices = count;
+}
+
+//: Recognize a sharp edge
+static bool is_sharp(const tf_adaptive_surface *surface, int corner,
+                     double cosine)
 {
     int from = tf_vertex_at(surface, corner);
     int to = tf_vertex_at(surface, tf_corner_after(corner));
@@ -14,63 +177,103 @@ bool tf_is_sharp_edge(const tf_adaptive_surface *surface, int corner)
     tf_shape own = tf_shape_of(surface, corner / 3);
     tf_shape other = tf_shape_of(surface, back / 3);
     return !tf_normals_agree(tf_shape_normal(&own), tf_shape_normal(&other),
-                             0.5);
+                             cosine);
 }
 
-//: Collect the sharp edges at a vertex
-typedef struct sharp_edges {
-    int count;
-    tf_vector sum; ///< of their unit vectors
-} sharp_edges;
-
-static void add_edge(const tf_adaptive_surface *surface, int vertex, int other,
-                     sharp_edges *all)
+//: Recognize a corner
+/// Whether a vertex is not between two sharp edges that go on nearly straight.
+static bool is_corner(const tf_sharp_edges *all,
+                      const tf_adaptive_surface *surface, int vertex)
 {
-    tf_vector along = tf_vector_difference(tf_position_of(surface, other),
-                                           tf_position_of(surface, vertex));
-    all->sum = tf_vector_sum(all->sum, 1 / tf_vector_length(along), along);
-    all->count++;
-}
-
-/// Each edge leads away from the vertex in one triangle, but for one on the
-/// boundary that only leads to it.
-static sharp_edges sharp_edges_at(const tf_adaptive_surface *surface,
-                                  int vertex)
-{
-    sharp_edges all = {0};
-    int c = tf_first_corner(surface, vertex);
-    for (; c != TF_NONE; c = tf_next_corner(surface, c)) {
-        int before = tf_corner_before(c);
-        if (tf_is_sharp_edge(surface, c))
-            add_edge(surface, vertex, tf_vertex_at(surface, tf_corner_after(c)),
-                     &all);
-        if (tf_is_boundary_edge(surface, before))
-            add_edge(surface, vertex, tf_vertex_at(surface, before), &all);
+    tf_vector sum = {{0}}, at = tf_position_of(surface, vertex);
+    int count = 0, link = *first_of(all, vertex);
+    for (; link != TF_NONE; link = link_of(all, link)->next, count++) {
+        tf_vector along = tf_vector_difference(
+            tf_position_of(surface, link_of(all, link)->to), at);
+        sum = tf_vector_sum(sum, 1 / tf_vector_length(along), along);
     }
-    return all;
+    // Two unit vectors in nearly opposite directions cancel.
+    return count > 0 && !(count == 2 && tf_vector_length(sum) < 0.5);
+}
+
+//: Find the sharp edges of a surface
+static bool add_sharp(tf_sharp_edges *all, const tf_adaptive_surface *surface,
+                      double cosine)
+{
+    for (int c = 0; c < 3 * surface->triangles; c++) {
+        if (!tf_is_triangle(surface, c / 3) || !is_sharp(surface, c, cosine))
+            continue;
+        int a = tf_vertex_at(surface, c);
+        int b = tf_vertex_at(surface, tf_corner_after(c));
+        if (!tf_sharp_edges_add(all, a, b, tf_length_of(surface, a, b)))
+            return false;
+    }
+    return true;
+}
+
+static bool add_kept(tf_sharp_edges *all, const tf_adaptive_surface *surface,
+                     int count, const int kept[])
+{
+    for (int i = 0; i < count; i++) {
+        int a = kept[2 * i], b = kept[2 * i + 1];
+        if (a != b &&
+            !tf_sharp_edges_add(all, a, b, tf_length_of(surface, a, b)))
+            return false;
+    }
+    return true;
+}
+
+bool tf_sharp_edges_find(tf_sharp_edges *all,
+                         const tf_adaptive_surface *surface, double cosine,
+                         int count, const int kept[])
+{
+    if (!begin_sharp_edges(all, surface->vertices) ||
+        !add_sharp(all, surface, cosine) ||
+        !add_kept(all, surface, count, kept))
+        return false;
+    for (int v = 0; v < surface->vertices; v++)
+        *held_at(all, v) = is_corner(all, surface, v);
+    for (int i = 0; i < count; i++)
+        if (kept[2 * i] == kept[2 * i + 1])
+            *held_at(all, kept[2 * i]) = true;
+    return true;
 }
 
 //: Find the freedom of a vertex
-tf_freedom tf_freedom_of(const tf_adaptive_surface *surface, int vertex)
+tf_freedom tf_freedom_of(const tf_sharp_edges *all, int vertex)
 {
-    sharp_edges all = sharp_edges_at(surface, vertex);
-    if (all.count == 0)
-        return TF_FREE;
-    // Two unit vectors in nearly opposite directions cancel.
-    bool straight = all.count == 2 && tf_vector_length(all.sum) < 0.5;
-    return straight ? TF_ALONG_SHARP_EDGE : TF_HELD;
+    if (*held_at(all, vertex))
+        return TF_HELD;
+    return *first_of(all, vertex) == TF_NONE ? TF_FREE : TF_ALONG_SHARP_EDGE;
 }
 
 //: Let the freer vertex go
-bool tf_collapse_freer(const tf_adaptive_surface *surface, int corner,
-                       const tf_freedom freedom[2], bool sharp,
+/// Whether the sharp edge that two others become is long enough, if a vertex
+/// between these two goes to an end of one.
+static bool keeps_length(const tf_adaptive_surface *surface,
+                         const tf_sharp_edges *all, int from, int to,
+                         double least)
+{
+    double length = tf_find_sharp_edge(all, from, to)->length;
+    const tf_sharp_link *next = link_of(all, *first_of(all, from));
+    if (next->to == to)
+        next = link_of(all, next->next);
+    return tf_length_of(surface, to, next->to) >=
+           least * (length + next->length);
+}
+
+bool tf_collapse_freer(const tf_adaptive_surface *surface,
+                       const tf_sharp_edges *all, int corner, double least,
                        tf_edge_collapse *collapse)
 {
     const int end[] = {tf_vertex_at(surface, corner),
                        tf_vertex_at(surface, tf_corner_after(corner))};
-    int from = freedom[1] > freedom[0];
-    *collapse = (tf_edge_collapse){end[from], end[1 - from],
-                                   tf_position_of(surface, end[1 - from])};
-    return freedom[from] == TF_FREE ||
-           (freedom[from] == TF_ALONG_SHARP_EDGE && sharp);
+    const tf_freedom freedom[] = {tf_freedom_of(all, end[0]),
+                                  tf_freedom_of(all, end[1])};
+    int i = freedom[1] > freedom[0], from = end[i], to = end[1 - i];
+    *collapse = (tf_edge_collapse){from, to, tf_position_of(surface, to)};
+    return freedom[i] == TF_FREE ||
+           (freedom[i] == TF_ALONG_SHARP_EDGE &&
+            tf_find_sharp_edge(all, from, to) &&
+            keeps_length(surface, all, from, to, least));
 }

@@ -4,18 +4,69 @@
 #include "geometry/vector.h"
 #include "surgery/adaptive_surface.h"
 
-/// Whether the edge of a corner is on the boundary, or its triangles' normals
-/// are more than 60 degrees apart.
-bool tf_is_sharp_edge(const tf_adaptive_surface *surface, int corner);
+/// The sharp edges of a surface and its corners.  They are found once, in the
+/// original, and operations hand them on.
+typedef struct tf_sharp_edges {
+    tf_buffer first; ///< int of each vertex: its first link, or TF_NONE
+    tf_buffer link;  ///< tf_sharp_link each, two for each sharp edge
+    tf_buffer held;  ///< bool of each vertex: whether it is a corner
+    int vertices, links;
+    int unused; ///< the first of a list of links, or TF_NONE
+} tf_sharp_edges;
 
+/// From a vertex to the other end of a sharp edge.
+typedef struct tf_sharp_link {
+    int to, next;  ///< `next` is another link of the vertex, or TF_NONE
+    double length; ///< of the original's edges that this one stands for
+} tf_sharp_link;
+
+//: Declare how sharp edges are found
+/// Finds the sharp edges of a surface: its boundary, and the edges at which the
+/// cosine of the angle between the triangles' normals is below `cosine`; and
+/// `count` kept edges, each given by its two vertices.  A vertex of sharp edges
+/// is a corner unless there are two that go on nearly straight; so is one that
+/// is given twice.  False if there is no memory; free them in any case.
+bool tf_sharp_edges_find(tf_sharp_edges *all,
+                         const tf_adaptive_surface *surface, double cosine,
+                         int count, const int kept[]);
+
+void tf_sharp_edges_free(tf_sharp_edges *all);
+
+//: Declare what sharp edges tell
 /// How a vertex may move without changing the shape.
 typedef enum tf_freedom {
     TF_HELD = 0,         ///< a corner: not at all
-    TF_ALONG_SHARP_EDGE, ///< along a sharp edge that goes on nearly straight
+    TF_ALONG_SHARP_EDGE, ///< along two sharp edges that go on nearly straight
     TF_FREE,             ///< it is on no sharp edge
 } tf_freedom;
 
-tf_freedom tf_freedom_of(const tf_adaptive_surface *surface, int vertex);
+tf_freedom tf_freedom_of(const tf_sharp_edges *all, int vertex);
+
+/// The sharp edge between two vertices, or NULL.
+const tf_sharp_link *tf_find_sharp_edge(const tf_sharp_edges *all, int a,
+                                        int b);
+
+//: Declare how sharp edges are handed on
+/// Hands on the sharp edge ab, which has been split at a new vertex.  False if
+/// there is no memory.
+bool tf_sharp_edges_split(tf_sharp_edges *all, int a, int b, int vertex);
+
+/// Makes room for new vertices, which are on no sharp edge.  False if there is no
+/// memory.
+bool tf_sharp_edges_extend(tf_sharp_edges *all, int vertices);
+
+/// Makes an edge of the surface sharp, of length `length`, unless it is so
+/// already.  False if there is no memory.
+bool tf_sharp_edges_add(tf_sharp_edges *all, int a, int b, double length);
+
+/// Hands on the sharp edges of a vertex that has gone to another one.
+void tf_sharp_edges_collapse(tf_sharp_edges *all, int from, int to);
+
+/// Makes sharp edges the same as others.  False if there is no memory.
+bool tf_sharp_edges_copy(tf_sharp_edges *all, const tf_sharp_edges *from);
+
+/// Closes gaps: vertex v becomes map[v], or is gone.
+void tf_sharp_edges_compact(tf_sharp_edges *all, const int map[]);
 
 //: Declare collapses
 /// How an edge collapses: which vertex goes, which stays, and where.
@@ -25,8 +76,9 @@ typedef struct tf_edge_collapse {
 } tf_edge_collapse;
 
 /// The freer of two vertices, at a corner and at the next one, goes to the
-/// other.  False if it may not: if it is held, or if it may only go along a
-/// sharp edge and this one is none.
-bool tf_collapse_freer(const tf_adaptive_surface *surface, int corner,
-                       const tf_freedom freedom[2], bool sharp,
+/// other.  False if it may not: if it is held; if it may only go along a sharp
+/// edge, and this one is none; or if a sharp edge would be shorter than the
+/// part `least` of the original's edges that it stands for.
+bool tf_collapse_freer(const tf_adaptive_surface *surface,
+                       const tf_sharp_edges *all, int corner, double least,
                        tf_edge_collapse *collapse);

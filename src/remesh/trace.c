@@ -3,7 +3,6 @@
 
 #include "linear/distance.h"
 #include "remesh/measure.h"
-#include "remesh/sharp_edges.h"
 #include "surgery/star.h"
 
 #include <string.h>
@@ -22,7 +21,8 @@ static tf_origin origin_of_corner(int corner)
 }
 
 //: Begin with all vertices at corners
-bool tf_trace_begin(tf_trace *trace, const tf_original *original)
+bool tf_trace_begin(tf_trace *trace, const tf_original *original,
+                    const tf_sharp_edges *sharp)
 {
     const tf_adaptive_surface *surface = original->surface;
     size_t vertices = (size_t)surface->vertices;
@@ -34,12 +34,12 @@ bool tf_trace_begin(tf_trace *trace, const tf_original *original)
     if (elements > 0)
         memset(trace->visited.data, 0, elements * sizeof(int));
     trace->original = original;
+    trace->sharp = sharp;
     trace->search = 0;
-    int count = 0;
     for (int v = 0; v < surface->vertices; v++) {
         int corner = tf_first_corner(surface, v);
         if (corner != TF_NONE)
-            origins_of(trace)[count++] = origin_of_corner(corner);
+            origins_of(trace)[v] = origin_of_corner(corner);
     }
     return true;
 }
@@ -50,7 +50,6 @@ void tf_trace_free(tf_trace *trace)
     tf_buffer_free(&trace->origin);
     tf_buffer_free(&trace->visited);
     tf_buffer_free(&trace->reached);
-    tf_buffer_free(&trace->map);
 }
 
 //: Hold a search
@@ -143,10 +142,12 @@ static void search_edge(trace_search *search, int corner)
 /// there.
 static void search_sharp_edges(trace_search *search, int vertex)
 {
+    const tf_sharp_edges *sharp = search->trace->sharp;
     int c = tf_first_corner(search->original, vertex);
     for (; c != TF_NONE; c = tf_next_corner(search->original, c)) {
+        int after = tf_vertex_at(search->original, tf_corner_after(c));
         int before = tf_corner_before(c);
-        if (tf_is_sharp_edge(search->original, c))
+        if (tf_find_sharp_edge(sharp, vertex, after))
             search_edge(search, c);
         if (tf_is_boundary_edge(search->original, before))
             search_edge(search, before);
@@ -291,16 +292,10 @@ bool tf_trace_place(tf_trace *trace, const tf_adaptive_surface *surface,
 }
 
 //: Close the gaps of a trace
-tf_status tf_trace_compact(tf_trace *trace, tf_adaptive_surface *surface)
+void tf_trace_compact(tf_trace *trace, int vertices, const int map[])
 {
-    int vertices = surface->vertices;
-    if (!tf_buffer_extend(&trace->map, (size_t)vertices, sizeof(int)))
-        return TF_OUT_OF_MEMORY;
-    tf_status status = tf_adaptive_compact(surface, trace->map.data);
-    const int *map = trace->map.data;
     tf_origin *origin = origins_of(trace);
-    for (int v = 0; v < vertices && status == TF_OK; v++)
+    for (int v = 0; v < vertices; v++)
         if (map[v] != TF_NONE)
             origin[map[v]] = origin[v];
-    return status;
 }

@@ -3,22 +3,24 @@
 
 #include "remesh/original.h"
 #include "remesh/origins.h"
+#include "remesh/sharp_edges.h"
 
 /// Where the vertices of a surface come from on its original, and the memory for
 /// finding that.
 typedef struct tf_trace {
     const tf_original *original; ///< NULL: nobody wants to know
+    const tf_sharp_edges *sharp; ///< of the original
     tf_buffer origin;            ///< tf_origin of each vertex
     tf_buffer visited; ///< of each vertex of the original, and then of each
                        ///< triangle: the last search that has visited it
     tf_buffer reached; ///< vertices of the original: those of a search
     int search;        ///< its number
-    tf_buffer map;     ///< of a compaction
 } tf_trace;
 
-/// Begins with a copy of the original whose gaps are closed.  False if there is
-/// no memory; free the trace in any case.
-bool tf_trace_begin(tf_trace *trace, const tf_original *original);
+/// Begins with a copy of the original.  False if there is no memory; free the
+/// trace in any case.
+bool tf_trace_begin(tf_trace *trace, const tf_original *original,
+                    const tf_sharp_edges *sharp);
 void tf_trace_free(tf_trace *trace);
 
 /// Whether it has begun.
@@ -43,6 +45,5 @@ typedef struct tf_placement {
 bool tf_trace_place(tf_trace *trace, const tf_adaptive_surface *surface,
                     const tf_placement *placed);
 
-/// Closes the gaps of a surface whose vertices are traced.  Returns TF_OK,
-/// TF_OUT_OF_MEMORY or TF_CANCELLED.
-tf_status tf_trace_compact(tf_trace *trace, tf_adaptive_surface *surface);
+/// Closes the gaps between so many vertices: vertex v becomes map[v], or is gone.
+void tf_trace_compact(tf_trace *trace, int vertices, const int map[]);

@@ -57,6 +57,7 @@ const tf_field tf_remeshed_fields[] = {
     TF_FIELD("mean quality before", tf_remeshed, report.mean_before),
     TF_FIELD("mean quality", tf_remeshed, report.mean_after),
     TF_FIELD("distance", tf_remeshed, report.distance),
+    TF_FIELD("distance at most", tf_remeshed, report.most_distance),
     TF_FIELD("rounds", tf_remeshed, report.rounds),
     TF_FIELD("seconds", tf_remeshed, seconds),
     OUTCOMES("splits", TF_SPLIT),

@@ -20,8 +20,8 @@ static bool is_sharp(const tf_remesher *remesher, int corner)
 }
 
 //: Choose where an edge is split
-/// In the middle, and unless the edge is sharp, where the original is nearest
-/// to that.
+/// Where the original is nearest to its middle, or its sharp edges if it is
+/// sharp.
 static bool split_for_shape(tf_remesher *remesher, int corner, int refused,
                             tf_vector *position, tf_volume_error *error)
 {
@@ -29,10 +29,13 @@ static bool split_for_shape(tf_remesher *remesher, int corner, int refused,
     (void)error;
     if (refused > 0)
         return false;
-    *position = tf_middle_of(surface, tf_vertex_at(surface, corner),
-                             tf_vertex_at(surface, tf_corner_after(corner)));
-    if (!is_sharp(remesher, corner))
-        *position = project(remesher, *position);
+    const int end[] = {tf_vertex_at(surface, corner),
+                       tf_vertex_at(surface, tf_corner_after(corner))};
+    *position = tf_middle_of(surface, end[0], end[1]);
+    *position = is_sharp(remesher, corner)
+                    ? tf_trace_sharp_point(&remesher->trace, surface, end,
+                                           *position)
+                    : project(remesher, *position);
     return true;
 }
 

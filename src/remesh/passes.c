@@ -94,7 +94,8 @@ static bool is_good(const tf_remesher *remesher,
     const tf_adaptive_surface *surface = remesher->surface;
     int from = collapse->from, to = collapse->to;
     tf_vector position = collapse->position;
-    double most = tf_target_length(remesher, remesher->policy->longest);
+    double most = tf_fraction_of(tf_target_between(remesher, from, to),
+                                 remesher->policy->longest);
     return edges_stay_short(surface, from, to, position, most) &&
            edges_stay_short(surface, to, from, position, most) &&
            tf_star_stays_good(surface, from, to, position) &&
@@ -123,13 +124,20 @@ static tf_status collapse(tf_remesher *remesher, const tf_edge_collapse *wanted)
 }
 
 //: Collapse a short edge
+/// The length of an edge by now, as a multiple of the target length.
+static double ratio_of(const tf_remesher *remesher, const tf_edge_row *edge)
+{
+    return tf_length_of(remesher->surface, edge->a, edge->b) /
+           tf_target_between(remesher, edge->a, edge->b);
+}
+
 static tf_status collapse_edge(tf_remesher *remesher, const tf_edge_row *edge)
 {
     const tf_adaptive_surface *surface = remesher->surface;
     int corner = tf_find_edge(surface, edge->a, edge->b);
     tf_edge_collapse wanted;
     if (corner == TF_NONE ||
-        tf_length_of(surface, edge->a, edge->b) > edge->length ||
+        ratio_of(remesher, edge) > edge->ratio ||
         !remesher->policy->choose_collapse(remesher, corner, &wanted) ||
         !is_good(remesher, &wanted))
         return TF_OK;
@@ -196,7 +204,7 @@ static bool is_worth_a_move(const tf_remesher *remesher, int vertex,
 {
     tf_vector way = tf_vector_difference(
         position, tf_position_of(remesher->surface, vertex));
-    return tf_vector_length(way) > remesher->edge / 20;
+    return tf_vector_length(way) > tf_target_at(remesher, vertex) / 20;
 }
 
 static tf_status smooth_vertex(tf_remesher *remesher, int vertex)
@@ -245,8 +253,8 @@ tf_status tf_remesh_pass(tf_remesher *remesher, tf_operation operation)
         [TF_COLLAPSE] = {"collapsing", TF_SHORTEST_FIRST, collapse_edge},
         [TF_FLIP] = {"flipping", TF_LONGEST_FIRST, flip_edge}};
     const tf_remesh_policy *policy = remesher->policy;
-    double longest = tf_target_length(remesher, policy->longest);
-    double shortest = tf_target_length(remesher, policy->shortest);
+    double longest = tf_fraction_of(1, policy->longest);
+    double shortest = tf_fraction_of(1, policy->shortest);
     switch (operation) {
     case TF_SPLIT:
         return tf_remesher_visit(remesher, &passes[TF_SPLIT], longest,

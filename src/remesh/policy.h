@@ -10,10 +10,9 @@ typedef struct tf_fraction {
     int numerator, denominator;
 } tf_fraction;
 
-static inline double tf_target_length(const tf_remesher *remesher,
-                                      tf_fraction part)
+static inline double tf_fraction_of(double length, tf_fraction part)
 {
-    return remesher->edge * part.numerator / part.denominator;
+    return length * part.numerator / part.denominator;
 }
 
 /// The two triangles on an edge ab, and the two on the other diagonal, cd.

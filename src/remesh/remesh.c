@@ -7,6 +7,7 @@
 #include "remesh/keep_shape.h"
 #include "remesh/measure.h"
 #include "remesh/passes.h"
+#include "remesh/reach.h"
 #include "surgery/draft.h"
 #include "surgery/star.h"
 
@@ -45,11 +46,16 @@ static tf_status measure_distance(tf_remesher *remesher)
     tf_watch_stage(watch, "measuring",
                    (size_t)before->triangles + (size_t)after->triangles);
     tf_status status = tf_original_begin(&now, after, watch);
-    if (status == TF_OK)
+    if (status == TF_OK) {
+        double fine = 1e-4 * remesher->edge;
+        tf_reach forth = tf_surface_reach(&remesher->original, after, fine,
+                                          NULL, watch);
+        tf_reach back = tf_surface_reach(&now, before, fine, NULL, watch);
         remesher->report.distance =
-            fmax(tf_original_farthest(&remesher->original, after, watch),
-                 tf_original_farthest(&now, before, watch)) /
-            after->scale;
+            fmax(forth.least, back.least) / after->scale;
+        remesher->report.most_distance =
+            fmax(forth.most, back.most) / after->scale;
+    }
     tf_original_free(&now);
     return status == TF_OK && tf_watch_cancelled(watch) ? TF_CANCELLED : status;
 }

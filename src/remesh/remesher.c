@@ -42,12 +42,34 @@ tf_status tf_remesher_compact(tf_remesher *remesher)
     return TF_OK;
 }
 
+//: Find target lengths
+double tf_target_at(const tf_remesher *remesher, int vertex)
+{
+    if (!remesher->target)
+        return remesher->edge;
+    const tf_origin *origin =
+        (const tf_origin *)remesher->trace.origin.data + vertex;
+    const int *corner =
+        tf_triangle(remesher->original.surface, origin->triangle);
+    double target = 0;
+    for (int i = 0; i < 3; i++)
+        target += origin->barycentric[i] * remesher->target[corner[i]];
+    return target;
+}
+
+double tf_target_between(const tf_remesher *remesher, int a, int b)
+{
+    return remesher->target
+               ? (tf_target_at(remesher, a) + tf_target_at(remesher, b)) / 2
+               : remesher->edge;
+}
+
 //: Order edges by length
 static bool is_shorter(const void *first, const void *second)
 {
     const tf_edge_row *a = first, *b = second;
-    if (a->length != b->length)
-        return a->length < b->length;
+    if (a->ratio != b->ratio)
+        return a->ratio < b->ratio;
     return a->a != b->a ? a->a < b->a : a->b < b->b;
 }
 
@@ -67,10 +89,11 @@ static void list_edge(tf_remesher *remesher, int corner, double low,
     const tf_adaptive_surface *surface = remesher->surface;
     int a = tf_vertex_at(surface, corner);
     int b = tf_vertex_at(surface, tf_corner_after(corner));
-    double length = tf_length_of(surface, a, b);
-    if (length >= low && length <= high)
+    double ratio =
+        tf_length_of(surface, a, b) / tf_target_between(remesher, a, b);
+    if (ratio >= low && ratio <= high)
         ((tf_edge_row *)remesher->row.data)[remesher->rows++] =
-            (tf_edge_row){length, a, b};
+            (tf_edge_row){ratio, a, b};
 }
 
 //: List all edges in order

@@ -14,7 +14,9 @@ typedef struct tf_remesh_policy tf_remesh_policy;
 typedef struct tf_remesher {
     tf_adaptive_surface *surface; ///< with the watch over the call
     const tf_remesh_policy *policy;
-    double edge;              ///< the target length
+    double edge;              ///< the target length, or the greatest one
+    const double *target;     ///< the target length at each vertex of the
+                              ///< original; NULL: `edge` everywhere
     tf_original original;     ///< empty unless the policy needs one
     tf_projection projection; ///< to it, the last one
     tf_sharp_edges sharp;     ///< of the surface, by now
@@ -41,10 +43,19 @@ tf_status tf_remesher_compact(tf_remesher *remesher);
 void tf_remesher_count(tf_remesher *remesher, tf_operation operation,
                        tf_outcome outcome);
 
+//: Declare target lengths
+/// The length that edges at a vertex should have: between those of the original
+/// where the vertex comes from.
+double tf_target_at(const tf_remesher *remesher, int vertex);
+
+/// The mean of two, for the edge between them.
+double tf_target_between(const tf_remesher *remesher, int a, int b);
+
 //: Declare how edges are visited
-/// An edge to be visited: its length when it was listed, and its ends.
+/// An edge to be visited: its length when it was listed, as a multiple of the
+/// target length, and its ends.
 typedef struct tf_edge_row {
-    double length;
+    double ratio;
     int a, b;
 } tf_edge_row;
 
@@ -61,7 +72,7 @@ typedef struct tf_edge_pass {
     tf_status (*visit)(tf_remesher *remesher, const tf_edge_row *edge);
 } tf_edge_pass;
 
-/// Lists the edges whose length is at least `low` and at most `high`, and then
+/// Lists the edges whose ratio is at least `low` and at most `high`, and then
 /// visits them, until a visit returns something other than TF_OK.  Returns
 /// that, or TF_OK, TF_OUT_OF_MEMORY or TF_CANCELLED.
 tf_status tf_remesher_visit(tf_remesher *remesher, const tf_edge_pass *pass,

@@ -121,7 +121,7 @@ void tf_sharp_edges_collapse(tf_sharp_edges *all, int from, int to)
     while (*first_of(all, from) != TF_NONE) {
         tf_sharp_link next = *link_of(all, *first_of(all, from));
         remove_edge(all, from, next.to);
-        if (next.to == to || tf_find_sharp_edge(all, to, next.to))
+        if (next.to == to)
             continue;
         add_link(all, to, next.to, length + next.length);
         add_link(all, next.to, to, length + next.length);
@@ -248,8 +248,8 @@ tf_freedom tf_freedom_of(const tf_sharp_edges *all, int vertex)
 }
 
 //: Let the freer vertex go
-/// Whether the sharp edge that two others become is long enough, if a vertex
-/// between these two goes to an end of one.
+/// Whether the sharp edge that two others become is a new one and long enough,
+/// if a vertex between these two goes to an end of one.
 static bool keeps_length(const tf_adaptive_surface *surface,
                          const tf_sharp_edges *all, int from, int to,
                          double least)
@@ -258,8 +258,9 @@ static bool keeps_length(const tf_adaptive_surface *surface,
     const tf_sharp_link *next = link_of(all, *first_of(all, from));
     if (next->to == to)
         next = link_of(all, next->next);
-    return tf_length_of(surface, to, next->to) >=
-           least * (length + next->length);
+    return !tf_find_sharp_edge(all, to, next->to) &&
+           tf_length_of(surface, to, next->to) >=
+               least * (length + next->length);
 }
 
 bool tf_collapse_freer(const tf_adaptive_surface *surface,

@@ -239,6 +239,24 @@ static tf_origin find_origin(trace_search *search, const tf_placement *placed)
                                            : search->nearest.origin;
 }
 
+//: Find a point of a sharp edge
+tf_vector tf_trace_sharp_point(tf_trace *trace,
+                               const tf_adaptive_surface *surface,
+                               const int between[2], tf_vector point)
+{
+    if (!tf_trace_goes(trace))
+        return point;
+    trace_search search = {.trace = trace,
+                           .original = trace->original->surface,
+                           .watch = surface->watch,
+                           .point = point};
+    search.radius = radius_of(&search, between);
+    run_search(&search, between, search_sharp_edges);
+    return search.nearest.distance <= search.radius / 3
+               ? point_of(&search, &search.nearest.origin)
+               : point;
+}
+
 //: Recognize the nearest point of all
 static bool shares_vertex(const tf_adaptive_surface *surface, int a, int b)
 {

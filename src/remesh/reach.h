@@ -1,0 +1,25 @@
+//: Declare how far triangles reach
+#pragma once
+
+#include "remesh/measure.h"
+#include "remesh/original.h"
+
+/// The greatest distance of points from a surface is between these two, up to
+/// rounding.
+typedef struct tf_reach {
+    double least, most;
+} tf_reach;
+
+/// Encloses the greatest distance of the points of a triangle from a surface.
+/// The bounds are no farther from each other than `fine`, or a part of 1/100,
+/// except where the triangle is above very many others.
+tf_reach tf_triangle_reach(tf_original *original, const tf_shape *triangle,
+                           double fine);
+
+/// Encloses that of all triangles of a surface; of no meaning if the caller
+/// cancels.
+/// @param[out] each `most` of each triangle; may be NULL
+/// @param watch over the call; may be NULL
+tf_reach tf_surface_reach(tf_original *original,
+                          const tf_adaptive_surface *surface, double fine,
+                          double each[], tf_watch *watch);

@@ -125,6 +125,25 @@ bool tf_friction_read(const char *path, int vertices, double friction[],
     return read_numbers(&read, path, fault, read_coefficient);
 }
 
+//: Read lengths
+static bool read_length(list *read, tf_text *text)
+{
+    const char *at = text->at;
+    double length;
+    if (!tf_number_read(&at, &length) || !ends_word(*at) || !(length > 0) ||
+        !isfinite(length))
+        return fault_in_word(
+            text, "not a length; write a number above 0 such as 0.5");
+    return take_number(read, text, length, at);
+}
+
+bool tf_lengths_read(const char *path, int vertices, double length[],
+                     tf_fault *fault)
+{
+    list read = {.vertices = vertices, .number = length, .name = "lengths"};
+    return read_numbers(&read, path, fault, read_length);
+}
+
 //: Read scripted vertices
 bool tf_vertex_read(tf_text *text, int vertices, int *vertex)
 {

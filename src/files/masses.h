@@ -12,6 +12,10 @@ bool tf_masses_read(const char *path, int vertices, double inverse_mass[],
 bool tf_friction_read(const char *path, int vertices, double friction[],
                       tf_fault *fault);
 
+/// Reads the lengths of edges at all vertices, in their order.
+bool tf_lengths_read(const char *path, int vertices, double length[],
+                     tf_fault *fault);
+
 /// Reads the number of a vertex, from 0, and steps behind it.
 bool tf_vertex_read(tf_text *text, int vertices, int *vertex);
 

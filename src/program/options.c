@@ -144,7 +144,14 @@ const tf_option tf_options[] = {
      .help = "Join vertices that are no farther from each other than this; the "
              "default is those at exactly the same position"},
     {TF_REMESH, OPTION("edge", 'e', "L", edge, TF_REAL), POSITIVE,
-     .required = true, .help = "The length that edges should have"},
+     .help = "The length that edges should have; with --lengths or --error, the "
+             "greatest"},
+    {TF_REMESH, OPTION("lengths", 0, "FILE", lengths, TF_TEXT),
+     .help = "The lengths that edges should have near each vertex, in their "
+             "order"},
+    {TF_REMESH, OPTION("error", 0, "D", error, TF_REAL), POSITIVE,
+     .help = "The greatest distance between the new surface and the old one, "
+             "either way; triangles are as large as that allows"},
     {TF_REMESH, OPTION("crease", 0, "ANGLE", crease, TF_REAL),
      .least = DBL_TRUE_MIN, .most = 180, .usual = "25",
      .help = "Edges at which the surface turns by more than this, in degrees, "
@@ -153,7 +160,9 @@ const tf_option tf_options[] = {
      .help = "More sharp edges, one a line: the numbers of their two vertices, "
              "from 0; a vertex alone is a corner"},
     {TF_REMESH, OPTION("rounds", 0, "N", rounds, TF_WHOLE), .least = 1,
-     .most = 1000, .usual = "5", .help = "How often to go through all changes"},
+     .most = 1000,
+     .help = "How often to go through all changes; the default is 5, and 10 "
+             "with --error"},
     {TF_SIMULATE, OPTION("steps", 0, "N", steps, TF_WHOLE), .least = 0,
      .most = 99999, .help = "How many steps; 'list' shows the default"},
     {TF_SIMULATE, OPTION("size", 0, "N", size, TF_WHOLE), .least = 1,

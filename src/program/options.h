@@ -40,7 +40,8 @@ typedef struct tf_request {
     double edge;      ///< of remesh and simulate: a length, 0 if not given
     int rounds;
     double crease;    ///< of remesh: degrees
-    const char *keep; ///< of remesh: a file, or NULL
+    const char *keep, *lengths; ///< of remesh: files, or NULL
+    double error;               ///< of remesh: a distance, 0 if not given
     int steps, size; ///< of simulate
     bool resume;
 } tf_request;

@@ -1,5 +1,6 @@
 //: Include what the command remesh needs
 #include "files/kept_edges.h"
+#include "files/masses.h"
 #include "program/command.h"
 #include "program/mesh_output.h"
 #include "program/progress.h"
@@ -10,6 +11,7 @@
 #include "scenes/forecast.h"
 #include "scenes/frames.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 //: Hold what remesh does
@@ -21,6 +23,7 @@ typedef struct remeshing {
     tf_columns carried; ///< and those of the surface then
     tf_adaptive_surface *surface;
     tf_kept_edges kept;
+    double *length; ///< of each vertex, or NULL
     tf_remeshed done;
     tf_destination out;
     tf_progress_line progress;
@@ -47,6 +50,24 @@ static bool read_kept(remeshing *r)
            tf_kept_edges_read(&r->kept, path, vertices, &r->frames.fault);
 }
 
+//: Read how long edges are to be
+static bool read_lengths(remeshing *r)
+{
+    const tf_request *wanted = r->request;
+    const tf_mesh_file *file = tf_frames_file(&r->frames);
+    size_t vertices = (size_t)tf_mesh_file_elements(file, 3).vertices;
+    if (!wanted->lengths)
+        return wanted->edge > 0 || wanted->error > 0 ||
+               tf_fault_set(&r->frames.fault, "remesh", -1,
+                            "how long edges are to be is missing; give --edge, "
+                            "--lengths or --error");
+    r->length = calloc(vertices + 1, sizeof *r->length);
+    if (!r->length)
+        return tf_mesh_file_fault_in_memory(file);
+    return tf_lengths_read(wanted->lengths, (int)vertices, r->length,
+                           &r->frames.fault);
+}
+
 //: Show the progress of remeshing
 static bool show_progress(void *context, const tf_stage *stage)
 {
@@ -61,6 +82,10 @@ static bool show_progress(void *context, const tf_stage *stage)
 /// A length that is too short, or a kept edge that is none.
 static bool refuse_option(remeshing *r, const tf_error *error)
 {
+    if (strcmp(error->option, "error") == 0)
+        return tf_mesh_file_fault(tf_frames_file(&r->frames), -1,
+                                  "--error %g can't be kept; give a larger one",
+                                  error->value);
     if (strcmp(error->option, "keep") != 0)
         return tf_mesh_file_fault(
             tf_frames_file(&r->frames), -1,
@@ -88,7 +113,9 @@ static bool remesh(remeshing *r)
                              .context = &r->progress,
                              .crease = r->request->crease,
                              .keeps = r->kept.count,
-                             .keep = r->kept.vertex};
+                             .keep = r->kept.vertex,
+                             .lengths = r->length,
+                             .error = r->request->error};
     const tf_remesh_report *report;
     tf_error error;
     double begin = tf_clock_seconds();
@@ -139,11 +166,12 @@ static bool do_all(remeshing *r)
 {
     const tf_request *wanted = r->request;
     if (!tf_frames_next(&r->frames, wanted->operand[0]) || !load(r) ||
-        !read_kept(r) ||
+        !read_kept(r) || !read_lengths(r) ||
         !tf_mesh_output_begin(&r->out, wanted->out, tf_frames_file(&r->frames),
                               &r->frames.fault))
         return false;
-    tf_forecast_triangles(tf_frames_file(&r->frames), wanted->edge);
+    if (!wanted->error && !wanted->lengths)
+        tf_forecast_triangles(tf_frames_file(&r->frames), wanted->edge);
     bool good = remesh(r);
     tf_progress_line_end(&r->progress);
     return good && carry(r) && write(r);
@@ -160,6 +188,7 @@ static int run(const tf_request *request)
     tf_fault_print(&r.frames.fault, "tanglefree");
     tf_destination_end(&r.out);
     tf_kept_edges_free(&r.kept);
+    free(r.length);
     tf_adaptive_free(r.surface);
     tf_columns_free(&r.columns);
     tf_columns_free(&r.carried);

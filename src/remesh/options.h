@@ -42,7 +42,8 @@ typedef struct tf_remesh_report {
 /// How to remesh.
 typedef struct tf_remesh_options {
     size_t size; ///< sizeof(tf_remesh_options); 0: that of version 1.0
-    double edge; ///< the length that edges should have, above 0
+    double edge; ///< the length that edges should have, above 0; with `lengths`
+                 ///< or `error` the greatest, and 0: as long as they allow
     int rounds;  ///< how often to go through all operations; 0: 5; negative:
                  ///< not at all
     tf_progress *progress; ///< NULL: nothing is told
@@ -53,6 +54,12 @@ typedef struct tf_remesh_options {
     int keeps;     ///< how many kept edges there are, 0 or more
     const int *keep; ///< of each kept edge its two vertices: it is sharp, too;
                      ///< twice the same vertex: that is a corner
+    const double *lengths; ///< of each vertex, above 0: the length that edges
+                           ///< near it should have, or less where this changes
+                           ///< by more than half of the distance; NULL: `edge`
+    double error; ///< how far the new surface may be from the old one, or the
+                  ///< old from the new, at most; triangles are as large as
+                  ///< that allows; 0: as their edges say
 } tf_remesh_options;
 
 /// @}

@@ -165,19 +165,49 @@ void tf_sharp_edges_compact(tf_sharp_edges *all, const int map[])
     all->vertices = count;
 }
 
-//: Recognize a sharp edge
-static bool is_sharp(const tf_adaptive_surface *surface, int corner,
-                     double cosine)
+//: Measure how a surface turns
+/// The triangles on an edge inside the surface.
+static void find_pair(const tf_adaptive_surface *surface, int corner,
+                      tf_shape pair[2])
 {
     int from = tf_vertex_at(surface, corner);
     int to = tf_vertex_at(surface, tf_corner_after(corner));
-    int back = tf_find_edge(surface, to, from);
-    if (back == TF_NONE)
+    pair[0] = tf_shape_of(surface, corner / 3);
+    pair[1] = tf_shape_of(surface, tf_find_edge(surface, to, from) / 3);
+}
+
+double tf_turn_at(const tf_adaptive_surface *surface, int corner)
+{
+    tf_shape pair[2];
+    find_pair(surface, corner, pair);
+    return tf_vector_length(
+        tf_vector_difference(tf_vector_unit(tf_shape_normal(&pair[0])),
+                             tf_vector_unit(tf_shape_normal(&pair[1]))));
+}
+
+double tf_height_at(const tf_adaptive_surface *surface, int corner)
+{
+    tf_shape pair[2];
+    find_pair(surface, corner, pair);
+    int after = tf_corner_after(corner);
+    return (tf_vector_length(tf_shape_normal(&pair[0])) +
+            tf_vector_length(tf_shape_normal(&pair[1]))) /
+           (2 * tf_length_of(surface, tf_vertex_at(surface, corner),
+                             tf_vertex_at(surface, after)));
+}
+
+//: Recognize a sharp edge
+static bool is_sharp(const tf_adaptive_surface *surface, int corner,
+                     const tf_sharpness *sharpness)
+{
+    if (tf_is_boundary_edge(surface, corner))
         return true;
-    tf_shape own = tf_shape_of(surface, corner / 3);
-    tf_shape other = tf_shape_of(surface, back / 3);
-    return !tf_normals_agree(tf_shape_normal(&own), tf_shape_normal(&other),
-                             cosine);
+    tf_shape pair[2];
+    find_pair(surface, corner, pair);
+    return !tf_normals_agree(tf_shape_normal(&pair[0]),
+                             tf_shape_normal(&pair[1]), sharpness->cosine) ||
+           tf_turn_at(surface, corner) * tf_height_at(surface, corner) >
+               1.5 * sharpness->depth;
 }
 
 //: Recognize a corner
@@ -198,10 +228,10 @@ static bool is_corner(const tf_sharp_edges *all,
 
 //: Find the sharp edges of a surface
 static bool add_sharp(tf_sharp_edges *all, const tf_adaptive_surface *surface,
-                      double cosine)
+                      const tf_sharpness *sharpness)
 {
     for (int c = 0; c < 3 * surface->triangles; c++) {
-        if (!tf_is_triangle(surface, c / 3) || !is_sharp(surface, c, cosine))
+        if (!tf_is_triangle(surface, c / 3) || !is_sharp(surface, c, sharpness))
             continue;
         int a = tf_vertex_at(surface, c);
         int b = tf_vertex_at(surface, tf_corner_after(c));
@@ -212,30 +242,32 @@ static bool add_sharp(tf_sharp_edges *all, const tf_adaptive_surface *surface,
 }
 
 static bool add_kept(tf_sharp_edges *all, const tf_adaptive_surface *surface,
-                     int count, const int kept[])
+                     const tf_sharpness *sharpness)
 {
-    for (int i = 0; i < count; i++) {
-        int a = kept[2 * i], b = kept[2 * i + 1];
-        if (a != b &&
-            !tf_sharp_edges_add(all, a, b, tf_length_of(surface, a, b)))
+    for (int i = 0; i < sharpness->keeps; i++) {
+        const int *v = sharpness->keep + 2 * (ptrdiff_t)i;
+        double length = tf_length_of(surface, v[0], v[1]);
+        if (v[0] != v[1] && !tf_sharp_edges_add(all, v[0], v[1], length))
             return false;
     }
     return true;
 }
 
 bool tf_sharp_edges_find(tf_sharp_edges *all,
-                         const tf_adaptive_surface *surface, double cosine,
-                         int count, const int kept[])
+                         const tf_adaptive_surface *surface,
+                         const tf_sharpness *sharpness)
 {
     if (!begin_sharp_edges(all, surface->vertices) ||
-        !add_sharp(all, surface, cosine) ||
-        !add_kept(all, surface, count, kept))
+        !add_sharp(all, surface, sharpness) ||
+        !add_kept(all, surface, sharpness))
         return false;
     for (int v = 0; v < surface->vertices; v++)
         *held_at(all, v) = is_corner(all, surface, v);
-    for (int i = 0; i < count; i++)
-        if (kept[2 * i] == kept[2 * i + 1])
-            *held_at(all, kept[2 * i]) = true;
+    for (int i = 0; i < sharpness->keeps; i++) {
+        const int *v = sharpness->keep + 2 * (ptrdiff_t)i;
+        if (v[0] == v[1])
+            *held_at(all, v[0]) = true;
+    }
     return true;
 }
 

@@ -21,14 +21,30 @@ typedef struct tf_sharp_link {
 } tf_sharp_link;
 
 //: Declare how sharp edges are found
-/// Finds the sharp edges of a surface: its boundary, and the edges at which the
-/// cosine of the angle between the triangles' normals is below `cosine`; and
-/// `count` kept edges, each given by its two vertices.  A vertex of sharp edges
-/// is a corner unless there are two that go on nearly straight; so is one that
-/// is given twice.  False if there is no memory; free them in any case.
+/// Which edges are sharp besides the boundary.
+typedef struct tf_sharpness {
+    double cosine; ///< those at which the angle between the normals of their
+                   ///< triangles has a lower cosine than this
+    double depth;  ///< those that a triangle across would cut off by more than
+                   ///< this, a measured length
+    int keeps;     ///< and so many that are given
+    const int *keep; ///< by two vertices each; twice the same: that is a corner
+} tf_sharpness;
+
+/// Finds the sharp edges of a surface.  A vertex of sharp edges is a corner
+/// unless there are two that go on nearly straight.  False if there is no
+/// memory; free them in any case.
 bool tf_sharp_edges_find(tf_sharp_edges *all,
-                         const tf_adaptive_surface *surface, double cosine,
-                         int count, const int kept[]);
+                         const tf_adaptive_surface *surface,
+                         const tf_sharpness *sharpness);
+
+/// By how much a surface turns at an edge inside it, given by a corner: the
+/// length of the difference of the unit normals of its triangles, about the
+/// angle for a small one.
+double tf_turn_at(const tf_adaptive_surface *surface, int corner);
+
+/// The mean height of the triangles on such an edge.
+double tf_height_at(const tf_adaptive_surface *surface, int corner);
 
 void tf_sharp_edges_free(tf_sharp_edges *all);
 

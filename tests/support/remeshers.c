@@ -12,11 +12,12 @@ tf_remesher *remesher_begin(tf_adaptive_surface *surface,
                             const tf_remesh_policy *policy, double edge)
 {
     static tf_remesher made;
+    const tf_sharpness sharpness = {.cosine = 0.906, .depth = INFINITY};
     original = (tf_adaptive_surface){0};
     made = (tf_remesher){.surface = surface, .policy = policy, .edge = edge};
     if (tf_draft_begin(&original, surface, NULL) != TF_OK ||
         tf_original_begin(&made.original, &original, NULL) != TF_OK ||
-        !tf_sharp_edges_find(&made.sharp, &original, 0.906, 0, NULL))
+        !tf_sharp_edges_find(&made.sharp, &original, &sharpness))
         abort();
     return &made;
 }

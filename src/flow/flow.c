@@ -64,9 +64,8 @@ static tf_status improve(tf_flow *flow, const tf_flow_options *options)
     tf_watch *watch = flow->draft.watch;
     tf_watch_stage(watch, "copying", 0);
     tf_status status = tf_draft_begin(&flow->draft, flow->surface, watch);
-    const tf_sharpness boundary = {.cosine = -2, .depth = INFINITY};
-    if (status == TF_OK &&
-        !tf_sharp_edges_find(&remesher->sharp, &flow->draft, &boundary))
+    if (status == TF_OK && !tf_sharp_edges_find(&remesher->sharp, &flow->draft,
+                                                &tf_sharp_boundary))
         status = TF_OUT_OF_MEMORY;
     if (status == TF_OK)
         status = tf_remesh_round(remesher);

@@ -31,10 +31,3 @@ typedef struct tf_projection {
 /// Finds the nearest point of the original; if there is none, the distance is
 /// infinite, and the point is the same.
 tf_projection tf_original_project(tf_original *original, tf_vector point);
-
-/// The greatest distance from the original at which a vertex of a surface is,
-/// or the middle of a triangle; of no meaning if the caller cancels.
-/// @param watch over the call; may be NULL
-double tf_original_farthest(tf_original *original,
-                            const tf_adaptive_surface *surface,
-                            tf_watch *watch);

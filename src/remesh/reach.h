@@ -11,8 +11,9 @@ typedef struct tf_reach {
 } tf_reach;
 
 /// Encloses the greatest distance of the points of a triangle from a surface.
-/// The bounds are no farther from each other than `fine`, or a part of 1/100,
-/// except where the triangle is above very many others.
+/// The bounds are usually no farther from each other than `fine`, or a part of
+/// 1/100; but where the triangle is far from the surface, or above very many
+/// others, the upper one may be too high.
 tf_reach tf_triangle_reach(tf_original *original, const tf_shape *triangle,
                            double fine);
 

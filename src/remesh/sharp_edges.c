@@ -227,6 +227,8 @@ static bool is_corner(const tf_sharp_edges *all,
 }
 
 //: Find the sharp edges of a surface
+const tf_sharpness tf_sharp_boundary = {.cosine = -2, .depth = INFINITY};
+
 static bool add_sharp(tf_sharp_edges *all, const tf_adaptive_surface *surface,
                       const tf_sharpness *sharpness)
 {

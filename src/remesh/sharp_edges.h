@@ -31,6 +31,9 @@ typedef struct tf_sharpness {
     const int *keep; ///< by two vertices each; twice the same: that is a corner
 } tf_sharpness;
 
+/// The boundary alone is sharp.
+extern const tf_sharpness tf_sharp_boundary;
+
 /// Finds the sharp edges of a surface.  A vertex of sharp edges is a corner
 /// unless there are two that go on nearly straight.  False if there is no
 /// memory; free them in any case.

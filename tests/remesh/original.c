@@ -58,46 +58,20 @@ START_TEST(the_nearest_point_is_found)
 }
 END_TEST
 
-START_TEST(the_distance_is_that_of_the_farthest)
-{
-    static double position[][3] = {{0, 0, 0.5}, {3, 0, 0}, {0, 3, 0}};
-    static const int triangle[] = {0, 1, 2};
-    tf_adaptive_surface *sheet = adaptive_sheet(3, 3);
-    tf_adaptive_surface *other = adaptive_of(3, position, 1, triangle);
-    tf_original a = {0}, b = {0};
-    ck_assert_int_eq(tf_original_begin(&a, sheet, NULL), TF_OK);
-    ck_assert_int_eq(tf_original_begin(&b, other, NULL), TF_OK);
-    ck_assert_double_eq(tf_original_farthest(&a, other, NULL), 0.5);
-    ck_assert_double_eq_tol(tf_original_farthest(&b, sheet, NULL), sqrt(4.5),
-                            1e-12);
-    ck_assert_double_eq_tol(tf_original_farthest(&a, sheet, NULL), 0, 1e-15);
-    tf_original_free(&a);
-    tf_original_free(&b);
-    tf_adaptive_free(sheet);
-    tf_adaptive_free(other);
-}
-END_TEST
-
-// Collapsed triangles are gaps, and vertices without triangles anywhere else.
+// Collapsed triangles are gaps.
 START_TEST(gaps_do_not_count)
 {
-    static double position[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 9, 9}};
-    static const int triangle[] = {0, 1, 2};
     tf_adaptive_surface *sheet = adaptive_sheet(3, 3);
-    tf_adaptive_surface *other = adaptive_of(4, position, 1, triangle);
     tf_outcome outcome;
     tf_original a = {0};
     ck_assert_int_eq(tf_adaptive_collapse(sheet, 5, 6, &outcome), TF_OK);
     ck_assert_int_eq(outcome, TF_COMMITTED);
     ck_assert_int_eq(tf_original_begin(&a, sheet, NULL), TF_OK);
-    ck_assert_double_lt(tf_original_farthest(&a, sheet, NULL), 1e-15);
-    ck_assert_double_lt(tf_original_farthest(&a, other, NULL), 1e-15);
     tf_projection found =
         tf_original_project(&a, (tf_vector){{1.25, 1.25, 0.5}});
     ck_assert(tf_is_triangle(sheet, found.origin.triangle));
     ck_assert_double_eq(found.distance, 0.5);
     tf_original_free(&a);
-    tf_adaptive_free(other);
     tf_adaptive_free(sheet);
 }
 END_TEST
@@ -115,8 +89,6 @@ START_TEST(searches_can_be_cancelled)
     tf_watch own, *watch = tf_watch_begin(&own, never, NULL);
     ck_assert_int_eq(tf_original_begin(&a, sheet, watch), TF_CANCELLED);
     ck_assert_int_eq(tf_original_begin(&a, sheet, NULL), TF_OK);
-    tf_original_farthest(&a, sheet, tf_watch_begin(&own, never, NULL));
-    ck_assert(tf_watch_cancelled(&own));
     tf_original_free(&a);
     tf_adaptive_free(sheet);
 }
@@ -127,7 +99,6 @@ Suite *suite(void)
     Suite *suite = suite_create("remesh/original");
     TCase *tcase = tcase_create("distances");
     tcase_add_loop_test(tcase, the_nearest_point_is_found, 0, ADAPTIVE_SCENES);
-    tcase_add_test(tcase, the_distance_is_that_of_the_farthest);
     tcase_add_test(tcase, gaps_do_not_count);
     tcase_add_test(tcase, searches_can_be_cancelled);
     suite_add_tcase(suite, tcase);

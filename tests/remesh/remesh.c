@@ -4,6 +4,7 @@
 #include "remesh/keep_shape.h"
 #include "remesh/origins.h"
 #include "remesh/passes.h"
+#include "remesh/reach.h"
 #include "support/adaptive_surfaces.h"
 #include "support/cancelling.h"
 #include "support/flows.h"
@@ -136,6 +137,204 @@ START_TEST(a_box_stays_a_box)
         ck_assert_double_lt(report->distance, 1e-12);
         ck_assert_int_eq(report->rounds, 3);
     }
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// Sharp edges -----------------------------------------------------------------
+
+/// A prism of height 1 over a regular polygon of radius 1.
+static tf_adaptive_surface *prism(int sides)
+{
+    static double x[2 * 64][3];
+    static int triangle[3 * 4 * 64];
+    int count = 0;
+    for (int i = 0; i < sides; i++)
+        for (int k = 0; k < 2; k++) {
+            double angle = 2 * acos(-1) * i / sides;
+            double *at = x[i + k * sides];
+            at[0] = cos(angle);
+            at[1] = sin(angle);
+            at[2] = k;
+        }
+    for (int i = 0; i < sides; i++) {
+        int next = (i + 1) % sides;
+        const int wall[] = {i, next, next + sides, i, next + sides, i + sides};
+        memcpy(triangle + 3 * count, wall, sizeof wall);
+        count += 2;
+    }
+    for (int i = 1; i + 1 < sides; i++) {
+        const int caps[] = {0,     i + 1,     i,
+                            sides, sides + i, sides + i + 1};
+        memcpy(triangle + 3 * count, caps, sizeof caps);
+        count += 2;
+    }
+    return adaptive_of(2 * sides, x, count, triangle);
+}
+
+/// How long the edges are at which a surface turns by more than 20 degrees.
+static double sharp_length(const tf_adaptive_surface *surface)
+{
+    const tf_sharpness sharpness = {.cosine = 0.94, .depth = INFINITY};
+    tf_sharp_edges sharp = {0};
+    double sum = 0;
+    ck_assert(tf_sharp_edges_find(&sharp, surface, &sharpness));
+    for (int v = 0; v < surface->vertices; v++)
+        for (int w = 0; w < v; w++)
+            if (tf_find_sharp_edge(&sharp, v, w))
+                sum += tf_length_of(surface, v, w) / surface->scale;
+    tf_sharp_edges_free(&sharp);
+    return sum;
+}
+
+static bool has_vertex_at(const tf_adaptive_surface *surface, const double *x)
+{
+    for (int v = 0; v < surface->vertices; v++)
+        if (memcmp(coordinates_of(surface, v), x, 3 * sizeof *x) == 0)
+            return true;
+    return false;
+}
+
+// The edges of prisms of 3 to 12 sides are all longer than the loss of 1/1000.
+START_TEST(prisms_keep_their_edges)
+{
+    static const double edges[] = {0.07, 0.2, 0.6, 2};
+    for (int sides = 3; sides < 13; sides++)
+        for (int i = 0; i < 4; i++) {
+            tf_adaptive_surface *surface = prism(sides);
+            tf_adaptive_surface *before = prism(sides);
+            tf_remesh_options how = {.edge = edges[i]};
+            const tf_remesh_report *report;
+            ck_assert_int_eq(tf_adaptive_remesh(surface, &how, &report, NULL),
+                             TF_OK);
+            double right = sharp_length(before);
+            ck_assert_double_eq_tol(sharp_length(surface), right,
+                                    1e-12 * right);
+            for (int v = 0; v < 2 * sides; v++)
+                ck_assert(has_vertex_at(surface, coordinates_of(before, v)));
+            ck_assert_double_lt(report->distance, 1e-14);
+            ck_assert_double_lt(report->most_distance, 1e-3 * edges[i]);
+            tf_adaptive_free(surface);
+            tf_adaptive_free(before);
+        }
+}
+END_TEST
+
+START_TEST(the_crease_angle_decides)
+{
+    // The sides of a prism of 20 turn by 18 degrees.
+    for (int i = 0; i < 2; i++) {
+        tf_adaptive_surface *surface = prism(20);
+        tf_remesh_options how = {
+            .size = sizeof how, .edge = 0.2, .crease = i ? 19 : 17};
+        const tf_remesh_report *report;
+        ck_assert_int_eq(tf_adaptive_remesh(surface, &how, &report, NULL),
+                         TF_OK);
+        ck_assert((report->distance > 1e-3) == (i == 1));
+        tf_adaptive_free(surface);
+    }
+}
+END_TEST
+
+START_TEST(kept_edges_stay)
+{
+    // Two edges of a flat sheet, and a corner inside.
+    static const int keep[] = {10, 11, 11, 12, 18, 18};
+    tf_adaptive_surface *sheet = adaptive_sheet(4, 4);
+    tf_adaptive_surface *before = adaptive_sheet(4, 4);
+    tf_remesh_options how = {
+        .size = sizeof how, .edge = 1.7, .keeps = 3, .keep = keep};
+    ck_assert_int_eq(tf_adaptive_remesh(sheet, &how, NULL, NULL), TF_OK);
+    ck_assert(has_vertex_at(sheet, coordinates_of(before, 10)));
+    ck_assert(has_vertex_at(sheet, coordinates_of(before, 12)));
+    ck_assert(has_vertex_at(sheet, coordinates_of(before, 18)));
+    ck_assert_int_lt(triangles_of(sheet), 32);
+    tf_adaptive_free(sheet);
+    tf_adaptive_free(before);
+}
+END_TEST
+
+// Sizes -----------------------------------------------------------------------
+
+START_TEST(lengths_vary_over_a_sheet)
+{
+    double lengths[121];
+    for (int v = 0; v < 121; v++)
+        lengths[v] = v % 11 < 5 ? 0.3 : 3;
+    tf_adaptive_surface *sheet = adaptive_sheet(10, 10);
+    tf_remesh_options how = {.size = sizeof how, .lengths = lengths};
+    ck_assert_int_eq(tf_adaptive_remesh(sheet, &how, NULL, NULL), TF_OK);
+    int left = 0, right = 0;
+    for (int v = 0; v < sheet->vertices; v++) {
+        left += coordinates_of(sheet, v)[0] < 4;
+        right += coordinates_of(sheet, v)[0] > 6;
+    }
+    ck_assert_int_gt(left, 400);
+    ck_assert_int_lt(right, left / 4);
+    ck_assert_double_lt(longest_edge(sheet), 4.01 * sheet->scale);
+    tf_adaptive_free(sheet);
+}
+END_TEST
+
+/// The farthest of many random points of a surface from another one.
+static double sampled_distance(const tf_adaptive_surface *from,
+                               const tf_adaptive_surface *to,
+                               generator *random)
+{
+    tf_original original = {0};
+    double far = 0;
+    ck_assert_int_eq(tf_original_begin(&original, to, NULL), TF_OK);
+    for (long i = 0; i < cases(100000); i++) {
+        int t = (int)uniform(random, 0, from->triangles);
+        double a = uniform(random, 0, 1), b = uniform(random, 0, 1 - a);
+        tf_shape shape = tf_shape_of(from, t);
+        tf_vector point = tf_vector_scaled(1 - a - b, shape.corner[0]);
+        point = tf_vector_sum(point, a, shape.corner[1]);
+        point = tf_vector_sum(point, b, shape.corner[2]);
+        far = fmax(far, tf_original_project(&original, point).distance);
+    }
+    tf_original_free(&original);
+    return far / from->scale;
+}
+
+START_TEST(a_distance_is_kept_both_ways)
+{
+    static const double errors[] = {0.1, 0.03, 0.01};
+    generator random = generator_new(2);
+    for (int i = 0; i < 3; i++) {
+        tf_adaptive_surface *surface = adaptive_bumpy_sphere(8, 0.05, 3);
+        tf_adaptive_surface *before = adaptive_bumpy_sphere(8, 0.05, 3);
+        tf_remesh_options how = {.size = sizeof how, .error = errors[i]};
+        const tf_remesh_report *report;
+        ck_assert_int_eq(tf_adaptive_remesh(surface, &how, &report, NULL),
+                         TF_OK);
+        ck_assert_double_le(report->most_distance, errors[i]);
+        tf_choose_scale(before);
+        ck_assert_double_eq(before->scale, surface->scale);
+        ck_assert_double_le(sampled_distance(surface, before, &random),
+                            errors[i]);
+        ck_assert_double_le(sampled_distance(before, surface, &random),
+                            errors[i]);
+        tf_adaptive_free(surface);
+        tf_adaptive_free(before);
+    }
+}
+END_TEST
+
+// A box needs no more triangles than it has, however small the distance.
+START_TEST(flat_sides_need_few_triangles)
+{
+    static adaptive_scene scene;
+    static const int low[] = {0, 0, 0}, high[] = {3, 3, 3};
+    scene = (adaptive_scene){0};
+    add_box(&scene, low, high);
+    tf_mesh mesh = adaptive_scene_mesh(&scene);
+    tf_adaptive_surface *surface = NULL;
+    ck_assert_int_eq(tf_adaptive_create(&mesh, scene.position, &surface, NULL),
+                     TF_OK);
+    tf_remesh_options how = {.size = sizeof how, .error = 1e-6};
+    ck_assert_int_eq(tf_adaptive_remesh(surface, &how, NULL, NULL), TF_OK);
+    ck_assert_int_le(triangles_of(surface), 24);
     tf_adaptive_free(surface);
 }
 END_TEST
@@ -274,6 +473,32 @@ START_TEST(bad_options_are_refused)
         expect_bad(surface, &(tf_remesh_options){.edge = edges[i]}, "edge");
     expect_bad(surface, &(tf_remesh_options){.size = 8, .edge = 1}, "size");
     tf_remesh_options how = {.size = sizeof how, .edge = 1};
+    static const double creases[] = {-1, 180.1, NAN};
+    for (int i = 0; i < 3; i++) {
+        how.crease = creases[i];
+        expect_bad(surface, &how, "crease");
+    }
+    how.crease = 0;
+    how.keeps = -1;
+    expect_bad(surface, &how, "keeps");
+    static const int keep[][2] = {{0, 4}, {-1, 0}, {4, 4}};
+    for (int i = 0; i < 3; i++) {
+        how.keeps = 1;
+        how.keep = keep[i];
+        expect_bad(surface, &how, "keep");
+    }
+    how.keeps = 0;
+    static const double lengths[][4] = {{1, 1, 1, 0}, {1, NAN, 1, 1}};
+    for (int i = 0; i < 2; i++) {
+        how.lengths = lengths[i];
+        expect_bad(surface, &how, "lengths");
+    }
+    how.lengths = NULL;
+    how.error = -1;
+    expect_bad(surface, &how, "error");
+    how.error = 1e-300;
+    expect_bad(surface, &how, "error");
+    how.error = 0;
     ck_assert_int_eq(tf_adaptive_remesh(surface, &how, NULL, NULL), TF_OK);
     tf_adaptive_free(surface);
 }
@@ -367,6 +592,12 @@ Suite *suite(void)
     tcase_add_loop_test(tcase, no_scene_is_tangled_by_remeshing, 0,
                         ADAPTIVE_SCENES);
     tcase_add_test(tcase, a_sphere_gets_good_triangles);
+    tcase_add_test(tcase, prisms_keep_their_edges);
+    tcase_add_test(tcase, the_crease_angle_decides);
+    tcase_add_test(tcase, kept_edges_stay);
+    tcase_add_test(tcase, lengths_vary_over_a_sheet);
+    tcase_add_test(tcase, a_distance_is_kept_both_ways);
+    tcase_add_test(tcase, flat_sides_need_few_triangles);
     tcase_add_test(tcase, a_box_stays_a_box);
     tcase_add_test(tcase, a_cancelled_remeshing_changes_nothing);
     tcase_add_test(tcase, progress_goes_through_the_stages);

@@ -44,7 +44,7 @@ START_TEST(each_edge_is_visited_once_in_order)
     tf_edge_row all[16];
     for (int i = 0; i < 16; i++) {
         all[i] = seen[i];
-        ck_assert_double_eq(seen[i].length, i < 12 ? 1 : sqrt(2));
+        ck_assert_double_eq(seen[i].ratio, i < 12 ? 2 : sqrt(8));
         for (int j = 0; j < i; j++)
             ck_assert(seen[i].a != seen[j].a || seen[i].b != seen[j].b);
     }
@@ -53,8 +53,8 @@ START_TEST(each_edge_is_visited_once_in_order)
         ck_assert_int_eq(seen[i].a, all[15 - i].a);
         ck_assert_int_eq(seen[i].b, all[15 - i].b);
     }
-    ck_assert_int_eq(visit(1.1, 2, TF_LONGEST_FIRST), 4);
-    ck_assert_int_eq(visit(0, 1, TF_SHORTEST_FIRST), 12);
+    ck_assert_int_eq(visit(2.2, 4, TF_LONGEST_FIRST), 4);
+    ck_assert_int_eq(visit(0, 2, TF_SHORTEST_FIRST), 12);
 }
 END_TEST
 

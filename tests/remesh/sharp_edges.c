@@ -6,9 +6,12 @@
 #include "support/support.h"
 #include "surgery/star.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static adaptive_scene scene;
+static tf_sharp_edges sharp;
 
 static tf_adaptive_surface *box(void)
 {
@@ -31,29 +34,99 @@ static int sides(const double *x)
     return count;
 }
 
+/// Finds what turns by more than some 25 degrees, and what is kept.
+static void find(const tf_adaptive_surface *surface, int keeps,
+                 const int keep[])
+{
+    const tf_sharpness sharpness = {0.906, INFINITY, keeps, keep};
+    sharp = (tf_sharp_edges){0};
+    ck_assert(tf_sharp_edges_find(&sharp, surface, &sharpness));
+}
+
+static void release(tf_adaptive_surface *surface)
+{
+    tf_sharp_edges_free(&sharp);
+    tf_adaptive_free(surface);
+}
+
+// What is sharp ---------------------------------------------------------------
+
 START_TEST(vertices_of_a_box_are_free_inside_its_sides)
 {
     static const tf_freedom freedom[] = {TF_FREE, TF_FREE, TF_ALONG_SHARP_EDGE,
                                          TF_HELD};
     tf_adaptive_surface *surface = box();
+    find(surface, 0, NULL);
     for (int v = 0; v < surface->vertices; v++)
-        ck_assert_int_eq(tf_freedom_of(surface, v),
+        ck_assert_int_eq(tf_freedom_of(&sharp, v),
                          freedom[sides(coordinates_of(surface, v))]);
-    tf_adaptive_free(surface);
+    release(surface);
 }
 END_TEST
 
 START_TEST(the_edges_of_a_box_are_sharp)
 {
     tf_adaptive_surface *surface = box();
+    find(surface, 0, NULL);
     for (int c = 0; c < 3 * surface->triangles; c++) {
-        const double *a = coordinates_of(surface, tf_vertex_at(surface, c));
-        const double *b =
-            coordinates_of(surface, tf_vertex_at(surface, tf_corner_after(c)));
+        int v = tf_vertex_at(surface, c);
+        int w = tf_vertex_at(surface, tf_corner_after(c));
+        const double *a = coordinates_of(surface, v);
+        const double *b = coordinates_of(surface, w);
         int common = 0;
         for (int k = 0; k < 3; k++)
             common += a[k] == b[k] && (a[k] == 0 || a[k] == 2);
-        ck_assert(tf_is_sharp_edge(surface, c) == (common == 2));
+        ck_assert((tf_find_sharp_edge(&sharp, v, w) != NULL) == (common == 2));
+    }
+    release(surface);
+}
+END_TEST
+
+/// A roof whose ridge from 0 to 1 turns by an angle in degrees; its slopes are
+/// 1 long.
+static tf_adaptive_surface *roof(double degrees)
+{
+    static const int triangle[] = {0, 1, 2, 1, 0, 3};
+    double half = degrees * acos(-1) / 360;
+    double position[][3] = {{0, 0, 0},
+                            {1, 0, 0},
+                            {0, cos(half), -sin(half)},
+                            {1, -cos(half), -sin(half)}};
+    return adaptive_of(4, position, 2, triangle);
+}
+
+START_TEST(the_angle_decides)
+{
+    for (int degrees = 2; degrees < 170; degrees++) {
+        tf_adaptive_surface *surface = roof(degrees);
+        const int angles[] = {degrees - 1, degrees + 1};
+        for (int i = 0; i < 2; i++) {
+            const tf_sharpness sharpness = {
+                .cosine = cos(angles[i] * acos(-1) / 180), .depth = INFINITY};
+            sharp = (tf_sharp_edges){0};
+            ck_assert(tf_sharp_edges_find(&sharp, surface, &sharpness));
+            ck_assert((tf_find_sharp_edge(&sharp, 0, 1) != NULL) == (i == 0));
+            tf_sharp_edges_free(&sharp);
+        }
+        ck_assert_double_eq_tol(tf_turn_at(surface, 0),
+                                2 * sin(degrees * acos(-1) / 360), 1e-14);
+        ck_assert_double_eq_tol(tf_height_at(surface, 0), 1, 1e-14);
+        tf_adaptive_free(surface);
+    }
+}
+END_TEST
+
+START_TEST(the_depth_decides_too)
+{
+    tf_adaptive_surface *surface = roof(10);
+    double depth = tf_turn_at(surface, 0) * tf_height_at(surface, 0) / 1.5;
+    for (int i = 0; i < 2; i++) {
+        const tf_sharpness sharpness = {.cosine = -2,
+                                        .depth = depth * (i ? 1.001 : 0.999)};
+        sharp = (tf_sharp_edges){0};
+        ck_assert(tf_sharp_edges_find(&sharp, surface, &sharpness));
+        ck_assert((tf_find_sharp_edge(&sharp, 0, 1) != NULL) == (i == 0));
+        tf_sharp_edges_free(&sharp);
     }
     tf_adaptive_free(surface);
 }
@@ -66,37 +139,174 @@ START_TEST(the_boundary_is_sharp)
         TF_HELD, TF_ALONG_SHARP_EDGE, TF_HELD, TF_ALONG_SHARP_EDGE,
         TF_FREE, TF_ALONG_SHARP_EDGE, TF_HELD, TF_ALONG_SHARP_EDGE,
         TF_HELD};
+    find(sheet, 0, NULL);
     for (int v = 0; v < 9; v++)
-        ck_assert_int_eq(tf_freedom_of(sheet, v), freedom[v]);
-    ck_assert(tf_is_sharp_edge(sheet, tf_find_edge(sheet, 0, 1)));
-    ck_assert(!tf_is_sharp_edge(sheet, tf_find_edge(sheet, 0, 4)));
-    tf_adaptive_free(sheet);
+        ck_assert_int_eq(tf_freedom_of(&sharp, v), freedom[v]);
+    ck_assert(tf_find_sharp_edge(&sharp, 0, 1));
+    ck_assert(!tf_find_sharp_edge(&sharp, 0, 4));
+    release(sheet);
 }
 END_TEST
 
-/// Expects how the diagonal of a sheet from 0 to 4 collapses.
-static void expect_collapse(tf_freedom at_0, tf_freedom at_4, bool sharp,
-                            int from, bool may_go)
+START_TEST(kept_edges_are_sharp)
+{
+    // Across a flat sheet, through the vertex 12 in its middle; and a corner.
+    static const int keep[] = {10, 11, 11, 12, 12, 13, 13, 14, 6, 6, 0, 1};
+    tf_adaptive_surface *sheet = adaptive_sheet(4, 4);
+    find(sheet, 6, keep);
+    ck_assert_int_eq(tf_freedom_of(&sharp, 10), TF_HELD);
+    for (int v = 11; v < 14; v++)
+        ck_assert_int_eq(tf_freedom_of(&sharp, v), TF_ALONG_SHARP_EDGE);
+    ck_assert_int_eq(tf_freedom_of(&sharp, 6), TF_HELD);
+    ck_assert_int_eq(tf_freedom_of(&sharp, 7), TF_FREE);
+    ck_assert_double_eq(tf_find_sharp_edge(&sharp, 12, 11)->length, 1);
+    release(sheet);
+}
+END_TEST
+
+// How it is handed on ---------------------------------------------------------
+
+/// How many sharp edges a vertex has, and how long they are together.
+static int count_at(int vertex, int vertices, double *length)
+{
+    int count = 0;
+    *length = 0;
+    for (int v = 0; v < vertices; v++) {
+        const tf_sharp_link *link = tf_find_sharp_edge(&sharp, vertex, v);
+        const tf_sharp_link *back = tf_find_sharp_edge(&sharp, v, vertex);
+        ck_assert((link != NULL) == (back != NULL));
+        if (!link)
+            continue;
+        ck_assert_double_eq(link->length, back->length);
+        *length += link->length;
+        count++;
+    }
+    return count;
+}
+
+// The boundary of a sheet of 3 x 3 squares goes on as one loop, and as long, after
+// any splits and collapses along it.
+START_TEST(a_loop_stays_a_loop)
+{
+    generator random = generator_new(1);
+    for (long run = 0; run < cases(200); run++) {
+        tf_adaptive_surface *sheet = adaptive_sheet(3, 3);
+        int loop[64] = {0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4}, count = 12;
+        int vertices = 16;
+        find(sheet, 0, NULL);
+        for (int step = 0; step < 40; step++) {
+            int i = (int)uniform(&random, 0, count), next = (i + 1) % count;
+            if (count > 4 && uniform(&random, 0, 1) < 0.5) {
+                tf_sharp_edges_collapse(&sharp, loop[i], loop[next]);
+                memmove(loop + i, loop + i + 1,
+                        sizeof *loop * (size_t)(--count - i));
+            } else {
+                ck_assert(tf_sharp_edges_extend(&sharp, vertices + 1));
+                ck_assert(tf_sharp_edges_split(&sharp, loop[i], loop[next],
+                                               vertices));
+                memmove(loop + i + 2, loop + i + 1,
+                        sizeof *loop * (size_t)(count++ - i - 1));
+                loop[i + 1] = vertices++;
+            }
+        }
+        double sum = 0, length;
+        for (int i = 0; i < count; i++) {
+            ck_assert_int_eq(count_at(loop[i], vertices, &length), 2);
+            ck_assert(
+                tf_find_sharp_edge(&sharp, loop[i], loop[(i + 1) % count]));
+            sum += length / 2;
+        }
+        ck_assert_double_eq_tol(sum, 12, 1e-12);
+        release(sheet);
+    }
+}
+END_TEST
+
+START_TEST(gaps_are_closed)
 {
     tf_adaptive_surface *sheet = adaptive_sheet(2, 2);
-    const tf_freedom freedom[] = {at_0, at_4};
+    int map[] = {0, TF_NONE, 1, 2, TF_NONE, 3, 4, 5, 6};
+    find(sheet, 0, NULL);
+    tf_sharp_edges_collapse(&sharp, 1, 2);
+    tf_sharp_edges copy = {0};
+    ck_assert(tf_sharp_edges_copy(&copy, &sharp));
+    tf_sharp_edges_compact(&sharp, map);
+    ck_assert_int_eq(sharp.vertices, 7);
+    for (int a = 0; a < 9; a++)
+        for (int b = 0; b < 9; b++) {
+            bool before = tf_find_sharp_edge(&copy, a, b);
+            if (map[a] != TF_NONE && map[b] != TF_NONE)
+                ck_assert((tf_find_sharp_edge(&sharp, map[a], map[b]) !=
+                           NULL) == before);
+        }
+    ck_assert_double_eq(tf_find_sharp_edge(&sharp, 0, 1)->length, 2);
+    ck_assert_int_eq(tf_freedom_of(&sharp, 1), TF_HELD);
+    ck_assert_int_eq(tf_freedom_of(&sharp, 3), TF_ALONG_SHARP_EDGE);
+    tf_sharp_edges_free(&copy);
+    release(sheet);
+}
+END_TEST
+
+// Collapses -------------------------------------------------------------------
+
+/// Expects how the edge of a sheet from `a` to `b` collapses: from which end, or
+/// not at all.
+static void expect_collapse(int a, int b, int from, bool may_go)
+{
+    tf_adaptive_surface *sheet = adaptive_sheet(3, 3);
     tf_edge_collapse collapse;
-    ck_assert(tf_collapse_freer(sheet, tf_find_edge(sheet, 0, 4), freedom,
-                                sharp, &collapse) == may_go);
+    find(sheet, 0, NULL);
+    int corner = tf_find_edge(sheet, a, b);
+    ck_assert_int_ne(corner, TF_NONE);
+    ck_assert(tf_collapse_freer(sheet, &sharp, corner, 0.999, &collapse) ==
+              may_go);
     ck_assert_int_eq(collapse.from, from);
-    ck_assert_int_eq(collapse.to, 4 - from);
-    ck_assert_double_eq(collapse.position.x[0], from == 4 ? 0 : 1);
-    tf_adaptive_free(sheet);
+    ck_assert_int_eq(collapse.to, a + b - from);
+    ck_assert_mem_eq(collapse.position.x, coordinates_of(sheet, a + b - from),
+                     sizeof collapse.position);
+    release(sheet);
 }
 
 START_TEST(the_freer_vertex_collapses)
 {
-    expect_collapse(TF_FREE, TF_FREE, false, 0, true);
-    expect_collapse(TF_HELD, TF_FREE, false, 4, true);
-    expect_collapse(TF_FREE, TF_HELD, false, 0, true);
-    expect_collapse(TF_HELD, TF_HELD, true, 0, false);
-    expect_collapse(TF_HELD, TF_ALONG_SHARP_EDGE, true, 4, true);
-    expect_collapse(TF_HELD, TF_ALONG_SHARP_EDGE, false, 4, false);
+    expect_collapse(5, 10, 5, true);  // both are free
+    expect_collapse(0, 5, 5, true);   // a corner, and a free one
+    expect_collapse(1, 6, 6, true);   // along an edge, and a free one
+    expect_collapse(0, 1, 1, true);   // a corner, and along the edge
+    expect_collapse(1, 2, 1, true);   // both along the edge
+}
+END_TEST
+
+START_TEST(no_vertex_leaves_its_sharp_edge)
+{
+    // From one side of a sheet that is one square wide to the other.
+    tf_adaptive_surface *strip = adaptive_sheet(3, 1);
+    tf_edge_collapse collapse;
+    find(strip, 0, NULL);
+    ck_assert(!tf_collapse_freer(strip, &sharp, tf_find_edge(strip, 1, 6), 0,
+                                 &collapse));
+    release(strip);
+}
+END_TEST
+
+// A boundary with a bend: its middle vertex may go if little length is lost.
+START_TEST(sharp_edges_keep_their_length)
+{
+    static const int triangle[] = {0, 1, 3, 1, 2, 3};
+    for (int i = 0; i < 2; i++) {
+        double height = i ? 0.05 : 0.04; // 0.99875 and 0.99920 of the length
+        double position[][3] = {{-1, 0, 0}, {0, -height, 0}, {1, 0, 0},
+                                {0, 1, 0}};
+        tf_adaptive_surface *bent = adaptive_of(4, position, 2, triangle);
+        tf_edge_collapse collapse;
+        find(bent, 0, NULL);
+        ck_assert(tf_collapse_freer(bent, &sharp, tf_find_edge(bent, 0, 1),
+                                    0.999, &collapse) == (i == 0));
+        ck_assert_int_eq(collapse.from, 1);
+        ck_assert(tf_collapse_freer(bent, &sharp, tf_find_edge(bent, 0, 1), 0,
+                                    &collapse));
+        release(bent);
+    }
 }
 END_TEST
 
@@ -106,8 +316,15 @@ Suite *suite(void)
     TCase *tcase = tcase_create("sharp edges");
     tcase_add_test(tcase, vertices_of_a_box_are_free_inside_its_sides);
     tcase_add_test(tcase, the_edges_of_a_box_are_sharp);
+    tcase_add_test(tcase, the_angle_decides);
+    tcase_add_test(tcase, the_depth_decides_too);
     tcase_add_test(tcase, the_boundary_is_sharp);
+    tcase_add_test(tcase, kept_edges_are_sharp);
+    tcase_add_test(tcase, a_loop_stays_a_loop);
+    tcase_add_test(tcase, gaps_are_closed);
     tcase_add_test(tcase, the_freer_vertex_collapses);
+    tcase_add_test(tcase, no_vertex_leaves_its_sharp_edge);
+    tcase_add_test(tcase, sharp_edges_keep_their_length);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -12,23 +12,28 @@
 static tf_adaptive_surface *original, *surface;
 static tf_original found;
 static tf_trace trace;
+static tf_sharp_edges edges;
 
 /// Traces a surface that begins as the original.
 static void begin(tf_adaptive_surface *make(void))
 {
+    const tf_sharpness sharpness = {.cosine = 0.9, .depth = INFINITY};
     original = make();
     surface = make();
+    edges = (tf_sharp_edges){0};
     found = (tf_original){0};
     trace = (tf_trace){0};
     ck_assert(!tf_trace_goes(&trace));
     ck_assert_int_eq(tf_original_begin(&found, original, NULL), TF_OK);
-    ck_assert(tf_trace_begin(&trace, &found));
+    ck_assert(tf_sharp_edges_find(&edges, original, &sharpness));
+    ck_assert(tf_trace_begin(&trace, &found, &edges));
     ck_assert(tf_trace_goes(&trace));
 }
 
 static void end(void)
 {
     tf_trace_free(&trace);
+    tf_sharp_edges_free(&edges);
     tf_original_free(&found);
     tf_adaptive_free(surface);
     tf_adaptive_free(original);
@@ -218,7 +223,9 @@ START_TEST(origins_follow_their_vertices)
     tf_origin last = *origin_of(15), middle = *origin_of(6);
     ck_assert_int_eq(tf_adaptive_collapse(surface, 5, 6, &outcome), TF_OK);
     ck_assert_int_eq(outcome, TF_COMMITTED);
-    ck_assert_int_eq(tf_trace_compact(&trace, surface), TF_OK);
+    int map[16];
+    ck_assert_int_eq(tf_adaptive_compact(surface, map), TF_OK);
+    tf_trace_compact(&trace, 16, map);
     ck_assert_int_eq(surface->vertices, 15);
     ck_assert_mem_eq(origin_of(14), &last, sizeof last);
     ck_assert_mem_eq(origin_of(5), &middle, sizeof middle);

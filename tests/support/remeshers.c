@@ -1,5 +1,6 @@
 #include "support/remeshers.h"
 
+#include "remesh/keep_shape.h"
 #include "remesh/measure.h"
 #include "surgery/adaptive.h"
 #include "surgery/draft.h"
@@ -12,12 +13,15 @@ tf_remesher *remesher_begin(tf_adaptive_surface *surface,
                             const tf_remesh_policy *policy, double edge)
 {
     static tf_remesher made;
-    const tf_sharpness sharpness = {.cosine = 0.906, .depth = INFINITY};
+    const tf_sharpness creases = {.cosine = 0.906, .depth = INFINITY};
+    const tf_sharpness *sharpness =
+        policy == &tf_keep_shape ? &creases : &tf_sharp_boundary;
     original = (tf_adaptive_surface){0};
     made = (tf_remesher){.surface = surface, .policy = policy, .edge = edge};
     if (tf_draft_begin(&original, surface, NULL) != TF_OK ||
         tf_original_begin(&made.original, &original, NULL) != TF_OK ||
-        !tf_sharp_edges_find(&made.sharp, &original, &sharpness))
+        !tf_sharp_edges_find(&made.sharp_before, &original, sharpness) ||
+        !tf_sharp_edges_copy(&made.sharp, &made.sharp_before))
         abort();
     return &made;
 }

@@ -186,8 +186,13 @@ soak-scales: COUNT = 10000
 soak-scales: $(BUILD)/tests/soak/scales ## remesh and move COUNT=10000 scenes of any size
 	@$< $(COUNT) $(FROM)
 
+soak-zones: COUNT = 10000
+soak-zones: $(BUILD)/tests/soak/zones ## resolve COUNT=10000 steps from tangled starts
+	@$< $(COUNT) $(FROM)
+	@$< 500 $(FROM) weak
+
 soak-scenes: $(BUILD)/tests/soak/scenes ## simulate all scenes, and judge every step
 	@$<
 
 .PHONY: soak soak-vectors soak-response soak-surgery soak-topology \
-	soak-scales soak-scenes
+	soak-scales soak-zones soak-scenes

@@ -64,9 +64,9 @@
 /// those are looked at that the proposal brings near each other.  So its end need
 /// not be clear, unless there were no contacts and it was no answer `again`; a
 /// thickness may be missed, and nothing is held back.  An answer `again` from
-/// the same start, bit for bit, with the same masses, zones and filter, to a draft
-/// or to another such answer, looks at the pairs of that one first, which is
-/// faster.  What it promises is what any answer does, but where vertices end
+/// the same start, bit for bit, with the same masses, zones and filter, to a
+/// draft or to another such answer, looks at the pairs of that one first, which
+/// is faster.  What it promises is what any answer does, but where vertices end
 /// may depend on the answers before.
 ///
 /// Time and memory grow about in proportion to the contacts of all rounds.  These

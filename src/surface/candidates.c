@@ -136,7 +136,8 @@ tf_status tf_surface_candidates(tf_surface *surface, const tf_motion *motion,
     status = tf_surface_enter_zones(surface, own.zone)
                  ? find(surface, motion, own.parallel, found, error)
                  : tf_fail(error, TF_OUT_OF_MEMORY);
-    tf_surface_leave_zones(surface);
+    if (own.zone)
+        tf_surface_leave_zones(surface);
     surface->workers.watch = outer;
     return status;
 }

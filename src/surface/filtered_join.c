@@ -76,7 +76,7 @@ static bool is_kept_at_rest(const tf_surface *surface, int corners, int others,
     return true;
 }
 
-//: Find the zones of elements
+//: Note the zone of a facet at an element
 enum {
     NO_ZONE = -1,
     NO_FACETS = -2 ///< no facet of the element has been looked at
@@ -90,6 +90,7 @@ static void note_zone(int *own, int zone)
     *own = zone;
 }
 
+//: Find an edge in a sorted list
 /// The place of an edge in a sorted list that has it.
 static int find_edge(const tf_elements *edges, int a, int b)
 {
@@ -105,6 +106,7 @@ static int find_edge(const tf_elements *edges, int a, int b)
     return low;
 }
 
+//: Find the zones of elements
 static void note_triangles(const tf_surface *surface, const int zone[],
                            int vertex[], int edge[])
 {

@@ -15,7 +15,7 @@ void tf_surface_join(tf_surface *surface, int corners, int others,
                      bool (*take)(tf_pair_sink *, int, const tf_candidate[]),
                      tf_task_rows rows[], const tf_parallel *parallel);
 
-//: Declare zones
+//: Declare zones of a surface
 /// Has the surface leave out pairs of two elements in one zone, until
 /// tf_surface_leave_zones.  `zone` is that of tf_detect_options, borrowed; NULL:
 /// everything stays as it is.  False if there is no memory.

@@ -32,6 +32,7 @@ typedef struct tf_request {
     const char *fixed, *masses,
         *vertex_friction; ///< of resolve, the first also of untangle: files, or
                           ///< NULL
+    bool exempt_crossings; ///< of resolve
     const tf_zone_solver *solver;
     double separation, friction, restitution, restitution_threshold;
     int substeps;

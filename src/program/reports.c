@@ -32,6 +32,8 @@ const tf_field tf_resolved_fields[] = {
     TF_FIELD("first near", tf_resolved, report.first_near),
     TF_FIELD("near", tf_resolved, report.near),
     TF_FIELD("near at start", tf_resolved, report.near_at_start),
+    TF_FIELD("exempt zones", tf_resolved, exempt_zones),
+    TF_FIELD("exempt crossings", tf_resolved, exempt_crossings),
     {0},
 };
 

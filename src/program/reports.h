@@ -12,6 +12,8 @@ typedef struct tf_resolved {
     const char *status; ///< "clear" or "resolved"
     tf_response_report report;
     double seconds;
+    int exempt_zones; ///< zones of what crosses at the start, which are left out
+    size_t exempt_crossings; ///< intersections in them
 } tf_resolved;
 
 /// What it took to remesh a surface.

@@ -153,41 +153,19 @@ static bool untangle_all(untangling *u)
 }
 
 //: List the intersections that are left
-static bool list_left(untangling *u, FILE *stream, tf_format format)
-{
-    tf_motion rest = tf_frames_motion(&u->frames);
-    const tf_mesh_file *file = file_of(u);
-    const char *name[1] = {u->request->out};
-    bool listed[1] = {false};
-    tf_joined joined;
-    tf_crossings found;
-    tf_surface_output output;
-    tf_surface_part part = {.joined = &joined, .name = name, .listed = listed};
-    tf_surface_output_options how = {.format = format, .checks = true};
-    bool good = tf_joined_make(&joined, 1, &file) &&
-                tf_surface_check(u->frames.surface, rest.vertices, rest.end,
-                                 NULL, &found, NULL) == TF_OK;
-    if (good) {
-        tf_surface_output_begin(&output, stream, &how);
-        good = tf_surface_output_crossings(&output, &part, &found);
-        tf_surface_output_count(&output, &part);
-        good = tf_surface_output_end(&output, good) && good;
-    }
-    tf_joined_free(&joined);
-    return good || tf_fault_set_unwritten(&u->frames.fault, "the list", errno);
-}
-
-/// After the report, and after an empty line unless that is JSON.
+/// Where the mesh is not.
 static bool list(untangling *u)
 {
-    tf_format format = *u->request->format;
+    tf_motion rest = tf_frames_motion(&u->frames);
     FILE *stream =
         tf_destination_is_standard(u->request->out) ? stderr : stdout;
-    if (u->done.left == 0)
-        return true;
-    if (format != TF_JSON)
-        fputc('\n', stream);
-    return list_left(u, stream, format == TF_JSON ? TF_JSON : TF_CSV);
+    tf_crossings found;
+    return u->done.left == 0 ||
+           (tf_surface_check(u->frames.surface, rest.vertices, rest.end, NULL,
+                             &found, NULL) == TF_OK &&
+            tf_surface_output_append(stream, *u->request->format, file_of(u),
+                                     u->request->out, &found)) ||
+           tf_fault_set_unwritten(&u->frames.fault, "the list", errno);
 }
 
 //: Name the rungs that moved something

@@ -51,7 +51,9 @@ static const tf_resolved resolved = {.status = "resolved",
                                          .first_near = 23,
                                          .near = 24,
                                          .near_at_start = 25,
-                                     }};
+                                     },
+                                     .exempt_zones = 26,
+                                     .exempt_crossings = 27};
 
 START_TEST(a_summary_tells_all_of_a_response)
 {
@@ -65,7 +67,7 @@ START_TEST(a_summary_tells_all_of_a_response)
               "candidates: 17\ndecided by axis: 18\ndecided by filter: 19\n"
               "decided by signs: 20\nenergy before: 21.5\nenergy after: 22.5\n"
               "seconds: 0.125\nfirst near: 23\nnear: 24\n"
-              "near at start: 25\n");
+              "near at start: 25\nexempt zones: 26\nexempt crossings: 27\n");
 }
 END_TEST
 
@@ -82,7 +84,8 @@ START_TEST(json_tells_all_of_a_response)
         "\"followed\":0.625,\"candidates\":17,\"decided_by_axis\":18,"
         "\"decided_by_filter\":19,\"decided_by_signs\":20,"
         "\"energy_before\":21.5,\"energy_after\":22.5,\"seconds\":0.125,"
-        "\"first_near\":23,\"near\":24,\"near_at_start\":25}\n");
+        "\"first_near\":23,\"near\":24,\"near_at_start\":25,"
+        "\"exempt_zones\":26,\"exempt_crossings\":27}\n");
     ck_assert_msg(!json_fault(text), "%s", json_fault(text));
 }
 END_TEST

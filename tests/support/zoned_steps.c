@@ -141,10 +141,28 @@ static bool is_kept(const tangle *found)
                             found->vertex + first);
 }
 
-/// Finds the zones of the start, with some rings or none.
-static bool find_zones(generator *random, zoned_counts *counts)
+/// Whether two facets of one zone were not in one zone before, or a facet of one
+/// was in none.
+static bool have_grown(const int before[])
 {
-    int zones, rings = below(random, 3) ? 0 : below(random, 3);
+    int was[MOST_FACETS]; // of each zone: what it was before; -1: not seen yet
+    for (int z = 0; z < own.facets.facets; z++)
+        was[z] = -1;
+    for (int f = 0; f < own.facets.facets; f++) {
+        int zone = own.zone[f];
+        if (zone < 0)
+            continue;
+        if (before[f] < 0 || (was[zone] >= 0 && was[zone] != before[f]))
+            return true;
+        was[zone] = before[f];
+    }
+    return false;
+}
+
+/// Finds the zones of the start, with that many rings.
+static bool find_zones(int rings, zoned_counts *counts)
+{
+    int zones;
     const tf_pair_filter planted = {.wanted = is_wanted};
     tf_surface_set_filter(own.surface, NULL, NULL);
     if (tf_surface_zones(own.surface, own.made.mesh.vertices, own.made.start,
@@ -207,15 +225,29 @@ static const char *thickness_fault(double length)
     return NULL;
 }
 
-static const char *step_fault(generator *random, zoned_counts *counts,
-                              bool *ended)
+/// Finds the zones of a start.  If it is the end of a step, and there are no rings
+/// now, they must not have grown, unless scripted vertices may have met.
+static const char *zones_fault(generator *random, bool first,
+                               zoned_counts *counts)
+{
+    int before[MOST_FACETS], rings = below(random, 3) ? 0 : below(random, 3);
+    memcpy(before, own.zone, sizeof before);
+    if (!find_zones(rings, counts))
+        return "no zones";
+    bool may_grow = first || rings > 0 || own.weighed || own.weak;
+    return !may_grow && have_grown(before) ? "a zone has grown" : NULL;
+}
+
+static const char *step_fault(generator *random, bool first,
+                              zoned_counts *counts, bool *ended)
 {
     bool outside;
     const tf_response_report *report;
     tf_error error;
     char text[200];
-    if (!find_zones(random, counts))
-        return "no zones";
+    const char *fault = zones_fault(random, first, counts);
+    if (fault)
+        return fault;
     *ended = judge_start(&outside, counts) == 0;
     if (*ended)
         return NULL;
@@ -239,8 +271,7 @@ static const char *step_fault(generator *random, zoned_counts *counts,
     counts->pairs += count_pairs_kept_apart(&own.facets);
     counts->met += report->first_contacts > 0;
     counts->rescued += report->rounds[TF_FAILSAFE] > 0;
-    const char *fault =
-        outside_fault("at the end", tangle_count(own.judge, own.made.end));
+    fault = outside_fault("at the end", tangle_count(own.judge, own.made.end));
     if (!fault)
         fault = way_fault(random, counts);
     return fault ? fault : thickness_fault(options.thickness);
@@ -281,8 +312,9 @@ const char *zoned_fault(long number, bool weak, zoned_counts *counts)
     generator random = generator_new((uint64_t)number);
     const char *fault = begin(&random, number, weak) ? NULL : "no resolver";
     bool ended = false;
-    for (int i = 1 + below(&random, 3); i > 0 && !fault && !ended; i--) {
-        fault = step_fault(&random, counts, &ended);
+    int steps = 1 + below(&random, 3);
+    for (int i = 0; i < steps && !fault && !ended; i++) {
+        fault = step_fault(&random, i == 0, counts, &ended);
         memcpy(own.made.start, own.made.end, sizeof own.made.start);
     }
     end();

@@ -102,9 +102,9 @@ static touched touched_of(const zoned *all, int count, int corners,
                      .side = malloc(sizeof(sides) * (size_t)count)};
     TF_REQUIRE(found.place && found.side);
     for (int i = 0; i < count; i++) {
-        sides own = corners > 1
-                        ? sides_of(all, corners, corner + corners * (ptrdiff_t)i)
-                        : sides_of(all, 1, &i);
+        sides own = corners > 1 ? sides_of(all, corners,
+                                           corner + corners * (ptrdiff_t)i)
+                                : sides_of(all, 1, &i);
         if (own.in == 0)
             continue;
         found.place[found.count] = i;
@@ -125,8 +125,7 @@ static int kept_vertices(const zoned *all)
     int kept = 0;
     for (int i = 0; i < points.count; i++)
         for (int t = 0; t < all->triangles && points.side[i].out > 0; t++)
-            kept += all->zone[t] >= 0 &&
-                    !has_all(all, t, 1, &points.place[i]);
+            kept += all->zone[t] >= 0 && !has_all(all, t, 1, &points.place[i]);
     touched_free(&points);
     return kept;
 }

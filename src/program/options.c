@@ -135,7 +135,8 @@ const tf_option tf_options[] = {
      .help = "In how many parts to take the step, each of them clear"},
     {TF_RESOLVE,
      OPTION("exempt-crossings", 0, NULL, exempt_crossings, TF_SWITCH),
-     .help = "Leave out what crosses in START, list it, and keep all else clear"},
+     .help =
+         "Leave out what crosses in START, list it, and keep all else clear"},
     {TF_CHECK, OPTION("each", 0, NULL, each, TF_SWITCH),
      .help = "Check each file, or each mesh of a scene, by itself"},
     {TF_CHECK, OPTION("thickness", 0, "D", thickness, TF_REAL), POSITIVE,

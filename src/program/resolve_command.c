@@ -87,8 +87,7 @@ static bool keep_crossings(resolving *r, const tf_crossings *found)
     r->done.exempt_crossings = found->count;
     if (r->exempt && found->count > 0)
         memcpy(r->exempt, found->crossing, found->count * sizeof *r->exempt);
-    return r->exempt ||
-           tf_status_fault(&r->frames.file[0], TF_OUT_OF_MEMORY);
+    return r->exempt || tf_status_fault(&r->frames.file[0], TF_OUT_OF_MEMORY);
 }
 
 static bool allocate_zones(resolving *r)
@@ -113,9 +112,9 @@ static bool find_zones(resolving *r)
         return true;
     if (!allocate_zones(r))
         return false;
-    tf_status status = tf_surface_zones(
-        r->frames.surface, motion.vertices, motion.start, 0, &how, r->zone,
-        &r->done.exempt_zones, &found, &error);
+    tf_status status =
+        tf_surface_zones(r->frames.surface, motion.vertices, motion.start, 0,
+                         &how, r->zone, &r->done.exempt_zones, &found, &error);
     return status == TF_OK ? keep_crossings(r, &found)
                            : tf_error_fault(&r->frames.file[0], &error);
 }
@@ -235,9 +234,8 @@ static bool write(resolving *r)
     tf_mesh_report report = {*r->request->format, tf_resolved_fields, &r->done};
     bool clear = r->done.report.first_contacts + r->done.report.first_near == 0;
     r->done.status = clear ? "clear" : "resolved";
-    return (r->shows
-                ? write_shown(r, &content, &report)
-                : tf_mesh_output_write(&r->out, &content, end, &report)) &&
+    return (r->shows ? write_shown(r, &content, &report)
+                     : tf_mesh_output_write(&r->out, &content, end, &report)) &&
            list_exempt(r);
 }
 

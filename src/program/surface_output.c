@@ -263,7 +263,8 @@ bool tf_surface_output_append(FILE *stream, tf_format report,
     bool listed = false;
     tf_joined joined;
     tf_surface_output output;
-    tf_surface_part part = {.joined = &joined, .name = &name, .listed = &listed};
+    tf_surface_part part = {
+        .joined = &joined, .name = &name, .listed = &listed};
     tf_surface_output_options how = {
         .format = report == TF_JSON ? TF_JSON : TF_CSV, .checks = true};
     bool good = tf_joined_make(&joined, 1, &file);

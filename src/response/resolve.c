@@ -143,8 +143,8 @@ static bool has_origin(const tf_resolution *r)
     const char *noted = resolver->origin.data;
     bool same = resolver->has_resolved && resolver->origin_bytes == own.all;
     for (int i = 0; i < ORIGIN_PARTS && same; noted += own.bytes[i++])
-        same = own.bytes[i] == 0 ||
-               memcmp(noted, own.part[i], own.bytes[i]) == 0;
+        same =
+            own.bytes[i] == 0 || memcmp(noted, own.part[i], own.bytes[i]) == 0;
     return same;
 }
 

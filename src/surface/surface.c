@@ -119,8 +119,7 @@ size_t tf_surface_memory(const tf_surface *surface)
     return sizeof *surface + surface->edges.storage.bytes +
            surface->triangles.storage.bytes + surface->groups.bytes +
            surface->zones.bytes + surface->paths.bytes +
-           tree_bytes(&surface->vertex_tree) +
-           tree_bytes(&surface->edge_tree) +
+           tree_bytes(&surface->vertex_tree) + tree_bytes(&surface->edge_tree) +
            tree_bytes(&surface->triangle_tree) + workspace->keys.bytes +
            workspace->sorted.bytes + workspace->counts.bytes +
            surface->sort_workspace.other.bytes +

@@ -86,7 +86,8 @@ static bool is_beside(const zone_search *search, int facet, int ring)
     const int *v = search->near.facet + (ptrdiff_t)corners * facet;
     bool beside = false;
     for (int i = 0; i < corners; i++)
-        beside = beside || (search->ring[v[i]] > 0 && search->ring[v[i]] < ring);
+        beside =
+            beside || (search->ring[v[i]] > 0 && search->ring[v[i]] < ring);
     return beside;
 }
 

@@ -673,8 +673,8 @@ START_TEST(what_crosses_may_be_left_out)
     ck_assert_str_eq(found.err, "");
     ck_assert_int_eq(found.status, 0);
     expect_words(found.out, "status: resolved\nfirst contacts: 1\n");
-    snprintf(list, sizeof list,
-             "\nexempt zones: 1\nexempt crossings: 2\n\n%s", left_out);
+    snprintf(list, sizeof list, "\nexempt zones: 1\nexempt crossings: 2\n\n%s",
+             left_out);
     expect_words(found.out, list);
     // The triangles still cross, and the point is above the first one, or the
     // step would not be resolved.

@@ -78,7 +78,7 @@ static void tangle_start(generator *random)
         throw_neighbors(random, x, 1.5 * own.made.unit);
 }
 
-/// Proposes that everything moves a little, or a part of it, or that it goes home.
+/// Proposes that all moves a little, or a part of it, or that it goes home.
 static void propose_end(generator *random)
 {
     double *end = own.made.end, reach = own.made.unit * uniform(random, 0, 1.5);
@@ -132,17 +132,17 @@ static const char *told(const char *what, const char *more)
 /// Whether a pair that the tangle is of is kept by the rule itself.
 static bool is_kept(const tangle *found)
 {
-    int first = found->kind == EDGE_PIERCES_TRIANGLE || found->kind == EDGES_MEET
-                    ? 2
-                    : 1;
+    int first =
+        found->kind == EDGE_PIERCES_TRIANGLE || found->kind == EDGES_MEET ? 2
+                                                                          : 1;
     int second =
         found->kind == EDGES_MEET || found->kind == POINT_IN_EDGE ? 2 : 3;
     return !zones_leave_out(&own.facets, first, found->vertex, second,
                             found->vertex + first);
 }
 
-/// Whether two facets of one zone were not in one zone before, or a facet of one
-/// was in none.
+/// Whether two facets of one zone were not in one zone before, or a facet of
+/// one was in none.
 static bool have_grown(const int before[])
 {
     int was[MOST_FACETS]; // of each zone: what it was before; -1: not seen yet
@@ -174,8 +174,8 @@ static bool find_zones(int rings, zoned_counts *counts)
            tf_surface_set_filter(own.surface, &planted, NULL) == TF_OK;
 }
 
-/// How many intersections the start has; `*outside`: whether some of them are of
-/// pairs that are kept.
+/// How many intersections the start has; `*outside`: whether some of them are
+/// of pairs that are kept.
 static int judge_start(bool *outside, zoned_counts *counts)
 {
     int count = tangle_count(own.judge, own.made.start);
@@ -213,8 +213,8 @@ static const char *thickness_fault(double length)
     if (!(length > 0) || own.weighed || own.weak ||
         own.made.mesh.vertices > FEW_VERTICES)
         return NULL;
-    const near_oracle_pair *pair = near_oracle(own.surface, own.made.end,
-                                               own.made.start, length, &count);
+    const near_oracle_pair *pair =
+        near_oracle(own.surface, own.made.end, own.made.start, length, &count);
     for (size_t i = 0; i < count; i++) {
         int first = pair[i].kind == TF_EDGE_EDGE ? 2 : 1;
         int second = pair[i].kind == TF_POINT_TRIANGLE ? 3 : 2;
@@ -225,8 +225,8 @@ static const char *thickness_fault(double length)
     return NULL;
 }
 
-/// Finds the zones of a start.  If it is the end of a step, and there are no rings
-/// now, they must not have grown, unless scripted vertices may have met.
+/// Finds the zones of a start.  If it is the end of a step, and there are no
+/// rings now, they must not have grown, unless scripted vertices may have met.
 static const char *zones_fault(generator *random, bool first,
                                zoned_counts *counts)
 {
@@ -291,8 +291,7 @@ static bool begin(generator *random, long number, bool weak)
         proposal_weigh(random, &own.made);
     tangle_start(random);
     own.judge = tangle_judge_new(&own.made.mesh);
-    tangle_judge_script(own.judge,
-                        own.weighed ? own.made.inverse_mass : NULL);
+    tangle_judge_script(own.judge, own.weighed ? own.made.inverse_mass : NULL);
     own.surface = NULL;
     own.resolver = NULL;
     return tf_surface_create(&own.made.mesh, &own.surface, NULL) == TF_OK &&
@@ -333,7 +332,7 @@ void zoned_counts_print(const zoned_counts *counts)
            "intersections left out, %ld pairs judged, %ld steps with "
            "contacts, %ld by the failsafe, %ld judged on the way, %ld "
            "faulty\n",
-           counts->steps, counts->refused, counts->zones,
-           counts->left_out, counts->pairs, counts->met, counts->rescued,
-           counts->exact, counts->faulty);
+           counts->steps, counts->refused, counts->zones, counts->left_out,
+           counts->pairs, counts->met, counts->rescued, counts->exact,
+           counts->faulty);
 }

@@ -65,7 +65,8 @@ static bool keeps_crossing(const tf_crossing *crossing)
     int second = crossing->kind == TF_EDGE_ON_EDGE ? 2 : 3;
     const int *v = crossing->vertex;
     return pair_rule_keeps_crossing(&rule, crossing) &&
-           !(zoned.zone && zones_leave_out(&zoned, first, v, second, v + first));
+           !(zoned.zone &&
+             zones_leave_out(&zoned, first, v, second, v + first));
 }
 
 static int workers = 3;
@@ -233,10 +234,9 @@ static void expect_contacts(tf_surface *surface, int i)
     tf_detect_options options = options_of(surface, i);
     tf_contacts found;
     tf_candidates candidates;
-    ck_assert_int_eq(
-        tf_surface_candidates(surface, &given.motion, &options, &candidates,
-                              NULL),
-        TF_OK);
+    ck_assert_int_eq(tf_surface_candidates(surface, &given.motion, &options,
+                                           &candidates, NULL),
+                     TF_OK);
     options.narrow_phase = i % 4 ? NULL : &own;
     size_t count = candidates.point_count + candidates.edge_count;
     ck_assert_int_eq(tf_detect(surface, &given.motion, &options, &found, NULL),

@@ -120,8 +120,7 @@ START_TEST(zones_are_those_of_all_pairs)
         int rings = below(&random, 2) ? 0 : below(&random, 5);
         int zones = find(rings, i % 3 ? &parallel : NULL);
         ck_assert_int_eq(zones, try_all(rings));
-        ck_assert_mem_eq(zone, expected,
-                         sizeof *zone * (size_t)facets.facets);
+        ck_assert_mem_eq(zone, expected, sizeof *zone * (size_t)facets.facets);
         most = zones > most ? zones : most;
         tf_surface_free(surface);
     }
@@ -148,11 +147,10 @@ static void make_tangles(bool apart)
     tangle_begin(&own, 3);
     for (int i = 0; i < 2; i++) {
         double x = 50.0 * i, z = apart && i == 1 ? 2 : -1;
-        int first = tangle_add(&own, 8,
-                               (double[]){x, 0, 0, x + 4, 0, 0, x, 4, 0,     //
-                                          x + 1, 1, z, x + 1, 1, z + 4,      //
-                                          x + 9, 9, z + 4, x + 20, 0, 0, x, 9,
-                                          9});
+        int first = tangle_add(
+            &own, 8, (double[]){x,     0, 0,     x + 4,  0, 0,     x, 4, 0, //
+                                x + 1, 1, z,     x + 1,  1, z + 4,          //
+                                x + 9, 9, z + 4, x + 20, 0, 0,     x, 9, 9});
         tangle_add_triangle(&own, first, first + 1, first + 2);
         tangle_add_triangle(&own, first + 3, first + 4, first + 5);
     }

@@ -700,8 +700,8 @@ static bool has_free_vertex(const int vertex[4], const double inverse_mass[])
     return any;
 }
 
-/// Whether a step is clear, as a new surface sees it, but for what is scripted and
-/// what is in zones.
+/// Whether a step is clear, as a new surface sees it, but for what is scripted
+/// and what is in zones.
 static void judge_clear(const call *made, const body *of, const double start[],
                         const double end[], const double inverse_mass[],
                         const tf_response_options *options)

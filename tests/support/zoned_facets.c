@@ -55,6 +55,12 @@ static bool ends_bare_edge(const zoned_facets *all, int vertex)
     return false;
 }
 
+bool is_bare(const zoned_facets *all, int corners, const int v[])
+{
+    return count_facets(all, corners, v) == 0 ||
+           (corners == 1 && ends_bare_edge(all, v[0]));
+}
+
 int zone_of_element(const zoned_facets *all, int corners, const int v[])
 {
     int zone = -1;
@@ -67,7 +73,7 @@ int zone_of_element(const zoned_facets *all, int corners, const int v[])
         zone = all->zone[f];
         first = false;
     }
-    return corners == 1 && ends_bare_edge(all, v[0]) ? -1 : zone;
+    return is_bare(all, corners, v) ? -1 : zone;
 }
 
 bool zones_leave_out(const zoned_facets *all, int corners, const int v[],

@@ -26,8 +26,10 @@ void zones_draw(generator *random, const tf_surface *surface, int zone[]);
 /// Whether a facet has all vertices of an element.
 bool facet_has(const zoned_facets *all, int facet, int corners, const int v[]);
 
-/// The zone of an element: of all its facets; -1: none, also if it has no facet,
-/// or is an end of an edge that has none.
+/// Whether an element has no facet, or is an end of an edge that has none.
+bool is_bare(const zoned_facets *all, int corners, const int v[]);
+
+/// The zone of an element: of all its facets; -1: none, also if it is bare.
 int zone_of_element(const zoned_facets *all, int corners, const int v[]);
 
 /// Whether two elements are left out: both are in one zone.

@@ -129,16 +129,30 @@ static const char *told(const char *what, const char *more)
     return text;
 }
 
-/// Whether a pair that the tangle is of is kept by the rule itself.
+/// How many vertices the two elements of a tangle have.
+static void find_corners(const tangle *found, int *first, int *second)
+{
+    bool edges = found->kind == EDGES_MEET;
+    *first = found->kind == EDGE_PIERCES_TRIANGLE || edges ? 2 : 1;
+    *second = edges || found->kind == POINT_IN_EDGE ? 2 : 3;
+}
+
 static bool is_kept(const tangle *found)
 {
-    int first =
-        found->kind == EDGE_PIERCES_TRIANGLE || found->kind == EDGES_MEET ? 2
-                                                                          : 1;
-    int second =
-        found->kind == EDGES_MEET || found->kind == POINT_IN_EDGE ? 2 : 3;
+    int first, second;
+    find_corners(found, &first, &second);
     return !zones_leave_out(&own.facets, first, found->vertex, second,
                             found->vertex + first);
+}
+
+/// Whether a tangle must be in a zone.
+static bool is_of_facets(const tangle *found)
+{
+    int first, second;
+    find_corners(found, &first, &second);
+    return found->kind != POINT_IN_EDGE &&
+           !is_bare(&own.facets, first, found->vertex) &&
+           !is_bare(&own.facets, second, found->vertex + first);
 }
 
 /// Whether two facets of one zone were not in one zone before, or a facet of
@@ -174,18 +188,23 @@ static bool find_zones(int rings, zoned_counts *counts)
            tf_surface_set_filter(own.surface, &planted, NULL) == TF_OK;
 }
 
-/// How many intersections the start has; `*outside`: whether some of them are
-/// of pairs that are kept.
-static int judge_start(bool *outside, zoned_counts *counts)
+/// Judges the start.  `*tangled`: whether it is, `*outside`: by pairs that are
+/// kept, too, which may only be those that no zone can have.
+static const char *start_fault(bool *tangled, bool *outside,
+                               zoned_counts *counts)
 {
     int count = tangle_count(own.judge, own.made.start);
+    *tangled = count > 0;
     *outside = false;
     for (int i = 0; i < count; i++) {
-        bool kept = is_kept(&tangles(own.judge)[i]);
+        const tangle *found = &tangles(own.judge)[i];
+        bool kept = is_kept(found);
         *outside = *outside || kept;
         counts->left_out += !kept;
+        if (kept && is_of_facets(found))
+            return told("in no zone", tangle_text(found));
     }
-    return count;
+    return NULL;
 }
 
 static const char *outside_fault(const char *when, int count)
@@ -241,16 +260,16 @@ static const char *zones_fault(generator *random, bool first,
 static const char *step_fault(generator *random, bool first,
                               zoned_counts *counts, bool *ended)
 {
-    bool outside;
+    bool tangled, outside;
     const tf_response_report *report;
     tf_error error;
     char text[200];
     const char *fault = zones_fault(random, first, counts);
-    if (fault)
-        return fault;
-    *ended = judge_start(&outside, counts) == 0;
+    if (!fault)
+        fault = start_fault(&tangled, &outside, counts);
+    *ended = fault || !tangled;
     if (*ended)
-        return NULL;
+        return fault;
     propose_end(random);
     tf_response_options options = random_options(random);
     tf_status status = tf_step_resolve(

@@ -168,7 +168,7 @@ tf_status tf_surface_zones(tf_surface *surface, int vertices,
                            int *zones, tf_crossings *found, tf_error *error)
 {
     TF_REQUIRE(surface && position && zone);
-    zone_search search = {.marks = {NULL}};
+    zone_search search = {.ring = NULL};
     if (rings < 0)
         return tf_fail_option(error, "rings", "0 or more", rings);
     tf_status status = tf_surface_check(surface, vertices, position, options,

@@ -14,7 +14,7 @@ static const struct {
     const char *name, *key, *title;
     double lift; ///< of the second part
 } scenes[PANELS] = {
-    {"cloth and ball", "ball", "a cap and a disc are wrong", 1.3},
+    {"cloth and ball", "ball", "a cap and a disk are wrong", 1.3},
     {"sheets at 10", "sheets", "halves, and a slit", 1.1},
     {"half way in", "half", "nothing is cut", 1.5},
 };

@@ -85,10 +85,10 @@ static void leave(tf_scope *scope, const tf_neighbors *all, int corners,
 }
 
 //: Take elements into zones
-/// Elements with a marked vertex are in a zone.
+/// Elements with a marked vertex are in a zone.  `within` is of these elements.
 static void take_elements(tf_scope *scope, const tf_neighbors *all,
                           const int mark[], int corners, int count,
-                          const int *corner)
+                          const int *corner, unsigned char *within)
 {
     for (int i = 0; i < count; i++) {
         const int *own = corner + (ptrdiff_t)corners * i;
@@ -99,20 +99,21 @@ static void take_elements(tf_scope *scope, const tf_neighbors *all,
             unite(scope->zone, corners, own);
         else
             leave(scope, all, corners, own);
-        if (corners == 2 && !in)
-            scope->within[all->vertices + i] = 0;
+        if (!in)
+            within[i] = 0;
     }
 }
 
 //: Find the zones of a round
 static bool reserve(tf_scope *scope, const tf_neighbors *all)
 {
-    size_t v = (size_t)all->vertices, e = (size_t)all->edges;
-    if (!tf_buffer_reserve(&scope->storage, v * sizeof(int) + v + e, 1))
+    size_t v = (size_t)all->vertices;
+    size_t elements = v + (size_t)all->edges + (size_t)all->triangles;
+    if (!tf_buffer_reserve(&scope->storage, v * sizeof(int) + elements, 1))
         return false;
     scope->zone = scope->storage.data;
     scope->within = (unsigned char *)(scope->zone + v);
-    memset(scope->within, 1, v + e);
+    memset(scope->within, 1, elements);
     for (int i = 0; i < all->vertices; i++)
         scope->zone[i] = i;
     return true;
@@ -125,8 +126,10 @@ bool tf_scope_find(tf_scope *scope, const tf_tangle *tangle,
     const int *mark = tf_mark_rings(&scope->marks, tangle, regions, rings);
     if (!mark || !reserve(scope, all))
         return false;
-    take_elements(scope, all, mark, 3, all->triangles, all->triangle);
-    take_elements(scope, all, mark, 2, all->edges, all->edge);
+    unsigned char *edges = scope->within + all->vertices;
+    take_elements(scope, all, mark, 3, all->triangles, all->triangle,
+                  edges + all->edges);
+    take_elements(scope, all, mark, 2, all->edges, all->edge, edges);
     for (size_t i = 0; i < tangle->crossings.count; i++) {
         const tf_crossing *own = &tangle->crossings.crossing[i];
         unite(scope->zone, tf_crossing_corners(own), own->vertex);
@@ -143,16 +146,23 @@ void tf_scope_free(tf_scope *scope)
 }
 
 //: Tell whether a contact is in a zone
-/// The zone that some corners of a contact's element are within, or -1.
+/// The place of an element among all elements.
+static int element_of(const tf_neighbors *all, int corners, const int corner[])
+{
+    if (corners == 1)
+        return corner[0];
+    if (corners == 2)
+        return all->vertices + tf_edge_of(all, corner[0], corner[1]);
+    return all->vertices + all->edges +
+           tf_triangle_of(all, corner[0], corner[1], corner[2]);
+}
+
+/// The zone that an element of a contact is within, or -1.
 static int zone_of(const tf_scope *scope, const tf_neighbors *all, int corners,
                    const int corner[])
 {
-    if (corners == 1 && !scope->within[corner[0]])
-        return -1;
-    if (corners == 2 &&
-        !scope->within[all->vertices + tf_edge_of(all, corner[0], corner[1])])
-        return -1;
-    return scope->zone[corner[0]];
+    bool within = scope->within[element_of(all, corners, corner)];
+    return within ? scope->zone[corner[0]] : -1;
 }
 
 bool tf_scope_has(const tf_scope *scope, const tf_neighbors *all,

@@ -9,8 +9,8 @@
 /// nothing may.
 typedef struct tf_scope {
     int *zone;             ///< of each vertex: its zone, if it is `within`
-    unsigned char *within; ///< of each vertex, then of each edge: 1 if all
-                           ///< facets at it are in its zone
+    unsigned char *within; ///< of each vertex, then of each edge, then of each
+                           ///< triangle: 1 if all facets at it are in its zone
     tf_buffer storage, marks;
 } tf_scope;
 

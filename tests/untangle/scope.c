@@ -100,6 +100,41 @@ START_TEST(within_means_with_all_facets)
 }
 END_TEST
 
+/// Expects that a triangle is kept apart from every vertex that it doesn't
+/// have; returns from how many.
+static int kept_against(int a, int b, int c)
+{
+    int kept = 0;
+    for (int v = 0; v < own.mesh.vertices; v++) {
+        if (v == a || v == b || v == c)
+            continue;
+        tf_surface_contact contact = contact_of(TF_POINT_TRIANGLE, v, a, b, c);
+        ck_assert(!tf_scope_has(&scope, &own.tangle.near, &contact));
+        kept++;
+    }
+    return kept;
+}
+
+// Its first corner is in the zone, as a neighbor of a vertex that is marked.
+START_TEST(a_triangle_of_no_zone_beside_one_is_kept)
+{
+    find(1);
+    const tf_neighbors *near = &own.tangle.near;
+    const int *mark = tf_mark_rings(&scope.marks, &own.tangle, NULL, 1);
+    int tried = 0;
+    for (int t = 0; t < near->triangles; t++) {
+        const int *v = near->triangle + 3 * t;
+        if (mark[v[0]] || mark[v[1]] || mark[v[2]])
+            continue;
+        for (int i = 0; i < 3; i++)
+            if (scope.zone[v[i]] != v[i])
+                tried += kept_against(v[i], v[(i + 1) % 3], v[(i + 2) % 3]);
+    }
+    ck_assert_int_gt(tried, 1000);
+    release();
+}
+END_TEST
+
 START_TEST(rings_grow)
 {
     int last = 0;
@@ -149,6 +184,7 @@ Suite *suite(void)
     tcase_add_test(tcase, what_crosses_is_in_one_zone);
     tcase_add_test(tcase, far_away_is_no_zone);
     tcase_add_test(tcase, within_means_with_all_facets);
+    tcase_add_test(tcase, a_triangle_of_no_zone_beside_one_is_kept);
     tcase_add_test(tcase, rings_grow);
     tcase_add_test(tcase, two_tangles_are_two_zones);
     suite_add_tcase(suite, tcase);

@@ -12,7 +12,7 @@ typedef struct tf_resolved {
     const char *status; ///< "clear" or "resolved"
     tf_response_report report;
     double seconds;
-    int exempt_zones; ///< zones of what crosses at the start, which are left out
+    int exempt_zones;        ///< of what crosses at the start, and is left out
     size_t exempt_crossings; ///< intersections in them
 } tf_resolved;
 

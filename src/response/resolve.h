@@ -30,8 +30,8 @@
 ///
 /// With `zone`, pairs of which all triangles at both elements are in one zone
 /// are left out: they may meet, and may be tangled at the start.  Two triangles
-/// without a common vertex that are not both in one zone start and end apart, as
-/// do an edge of no triangle and a triangle, and in the plane two edges.
+/// without a common vertex that are not both in one zone start and end apart,
+/// as do an edge of no triangle and a triangle, and in the plane two edges.
 ///
 /// Scripted vertices end where they are proposed to, bit for bit, unless
 /// something free stops them that cannot give way, such as a sheet upon which

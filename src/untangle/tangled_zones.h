@@ -13,14 +13,14 @@
 /// or tf_response_options that keeps everything else clear.
 ///
 /// In zones are the triangles at both elements of each intersection that
-/// tf_surface_check finds, and then, ring by ring, those that share a vertex with
-/// one that is in already.  Triangles in zones are in the same one if they share
-/// a vertex or belong to the same intersection, and if a chain of such triangles
-/// connects them.  In the plane all this is true of edges.
+/// tf_surface_check finds, and then, ring by ring, those that share a vertex
+/// with one that is in already.  Triangles in zones are in the same one if they
+/// share a vertex or belong to the same intersection, and if a chain of such
+/// triangles connects them.  In the plane all this is true of edges.
 ///
-/// An intersection of which an element has no triangle, as an edge of a rod, adds
-/// nothing to a zone and is within none.  All others are within one, but for
-/// those of a vertex at which such an edge ends.
+/// An intersection of which an element has no triangle, as an edge of a rod,
+/// adds nothing to a zone and is within none.  All others are within one, but
+/// for those of a vertex at which such an edge ends.
 ///
 /// The result is the same for any number of threads.
 ///

@@ -217,8 +217,8 @@ START_TEST(bad_input_is_reported)
 }
 END_TEST
 
-// Two edges that cross and go apart, and a speck that falls upon a third one: the
-// last pair alone limits the step.
+// Two edges that cross and go apart, and a speck that falls upon a third one:
+// the last pair alone limits the step.
 START_TEST(what_is_in_a_zone_limits_nothing)
 {
     static const int zone[] = {5, 5, -1};

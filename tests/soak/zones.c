@@ -3,10 +3,10 @@
 //     zones COUNT FROM [weak]
 //
 // resolves steps of the runs FROM, FROM + 1, ... of TF_SEED's until there are
-// COUNT, and prints each fault, which TF_SEED and FROM repeat, and how often what
-// happened.  With `weak`, a weaker rule is planted, by which a pair is left out
-// if some triangles at its elements are in one zone: then it is an error if no
-// fault is found.
+// COUNT, and prints each fault, which TF_SEED and FROM repeat, and how often
+// what happened.  With `weak`, a weaker rule is planted, by which a pair is
+// left out if some triangles at its elements are in one zone: then it is an
+// error if no fault is found.
 #include "support/generator.h"
 #include "support/zoned_steps.h"
 

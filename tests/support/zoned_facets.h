@@ -19,8 +19,8 @@ typedef struct zoned_facets {
 
 zoned_facets zoned_facets_of(const tf_surface *surface, const int zone[]);
 
-/// Fills `zone` with few numbers, each of facets that are near each other in the
-/// list; some facets are in none.
+/// Fills `zone` with few numbers, each of facets that are near each other in
+/// the list; some facets are in none.
 void zones_draw(generator *random, const tf_surface *surface, int zone[]);
 
 /// Whether a facet has all vertices of an element.
@@ -43,8 +43,8 @@ bool some_zones_meet(const zoned_facets *all, int corners, const int v[],
 /// How many pairs of facets without a common vertex are not both in one zone.
 long count_pairs_kept_apart(const zoned_facets *all);
 
-/// Whether a tangle is of facets that are not both in one zone, or of an element
-/// without facets.
+/// Whether a tangle is of facets that are not both in one zone, or of an
+/// element without facets.
 bool is_outside_of_zones(const zoned_facets *all, const tangle *found);
 
 #endif

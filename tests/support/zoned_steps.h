@@ -21,8 +21,8 @@ typedef struct zoned_counts {
 
 /// Resolves a few steps of a number, by seed, and judges the pairs of triangles
 /// that are not both in one zone: they must not meet at the end, and in some of
-/// the steps on small meshes not on the way.  Zones must not grow.  Returns what
-/// is wrong first; NULL if nothing is.  Static storage.
+/// the steps on small meshes not on the way.  Zones must not grow.  Returns
+/// what is wrong first; NULL if nothing is.  Static storage.
 /// @param weak whether to plant a weaker rule: pairs are left out if some
 ///     triangles at the two elements are in one zone, instead of all
 const char *zoned_fault(long number, bool weak, zoned_counts *counts);

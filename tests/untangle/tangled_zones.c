@@ -35,8 +35,9 @@ static int find(int rings, const tf_parallel *parallel)
 
 // By trying all ---------------------------------------------------------------
 
-/// Which facets are in zones, and which are connected, as numbers that are equal:
-/// at first each facet's own, later the least of what it is connected with.
+/// Which facets are in zones, and which are connected, as numbers that are
+/// equal: at first each facet's own, later the least of what it is connected
+/// with.
 static bool in[MOST_FACETS];
 static int least[MOST_FACETS];
 

@@ -260,7 +260,7 @@ static const char *zones_fault(generator *random, bool first,
 static const char *step_fault(generator *random, bool first,
                               zoned_counts *counts, bool *ended)
 {
-    bool tangled, outside;
+    bool tangled = false, outside = false;
     const tf_response_report *report;
     tf_error error;
     char text[200];

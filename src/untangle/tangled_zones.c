@@ -15,9 +15,11 @@ typedef struct zone_search {
     tf_crossings found;
     tf_groups groups; ///< of facets
     tf_buffer marks;
-    int *ring; ///< of each vertex: the first ring of which a facet has it, the
-               ///< crossing facets being the first of all; 0: none
-    int *in;   ///< of each facet: whether it is in a zone
+    int *ring;  ///< of each vertex: the first ring of which a facet has it, the
+                ///< crossing facets being the first of all; 0: none
+    int *in;    ///< of each facet: whether it is in a zone
+    int *queue; ///< vertices of these, in the order of their rings
+    int queued;
 } zone_search;
 
 //: Find the facets at an element
@@ -70,42 +72,36 @@ static void put_crossings_in(zone_search *search)
 }
 
 //: Add rings to zones
-static void mark_corners(zone_search *search, int facet, int ring)
+/// Puts the vertices of a facet behind those that are in the queue, unless they
+/// are.
+static void queue_corners(zone_search *search, int facet, int ring)
 {
     int corners = search->near.axes;
     const int *v = search->near.facet + (ptrdiff_t)corners * facet;
-    for (int i = 0; i < corners; i++)
-        if (search->ring[v[i]] == 0)
-            search->ring[v[i]] = ring;
-}
-
-/// Whether a facet has a vertex of a ring before this one.
-static bool is_beside(const zone_search *search, int facet, int ring)
-{
-    int corners = search->near.axes;
-    const int *v = search->near.facet + (ptrdiff_t)corners * facet;
-    bool beside = false;
-    for (int i = 0; i < corners; i++)
-        beside =
-            beside || (search->ring[v[i]] > 0 && search->ring[v[i]] < ring);
-    return beside;
+    for (int i = 0; i < corners; i++) {
+        if (search->ring[v[i]] > 0)
+            continue;
+        search->ring[v[i]] = ring;
+        search->queue[search->queued++] = v[i];
+    }
 }
 
 static void add_rings(zone_search *search, int rings)
 {
-    int facets = search->near.facets;
-    bool grows = true;
-    for (int f = 0; f < facets; f++)
+    const tf_lists *at = &search->near.facets_at;
+    for (int f = 0; f < search->near.facets; f++)
         if (search->in[f])
-            mark_corners(search, f, 1);
-    for (int ring = 2; ring - 2 < rings && grows; ring++) {
-        grows = false;
-        for (int f = 0; f < facets; f++) {
-            if (search->in[f] || !is_beside(search, f, ring))
+            queue_corners(search, f, 1);
+    for (int i = 0; i < search->queued; i++) {
+        int v = search->queue[i], ring = search->ring[v];
+        if (ring > rings)
+            return;
+        for (int j = at->start[v]; j < at->start[v + 1]; j++) {
+            int own = at->item[j];
+            if (search->in[own])
                 continue;
-            search->in[f] = 1;
-            mark_corners(search, f, ring);
-            grows = true;
+            search->in[own] = 1;
+            queue_corners(search, own, ring + 1);
         }
     }
 }
@@ -147,10 +143,11 @@ static bool reserve(zone_search *search, const tf_surface *surface)
         return false;
     size_t vertices = (size_t)near->vertices, facets = (size_t)near->facets;
     if (!tf_groups_begin(&search->groups, near->facets) ||
-        !tf_buffer_reserve(&search->marks, vertices + facets, sizeof(int)))
+        !tf_buffer_reserve(&search->marks, 2 * vertices + facets, sizeof(int)))
         return false;
     search->ring = search->marks.data;
     search->in = search->ring + vertices;
+    search->queue = search->in + facets;
     memset(search->ring, 0, (vertices + facets) * sizeof(int));
     return true;
 }

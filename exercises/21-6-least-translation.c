@@ -2,11 +2,10 @@
  *
  * Two convex polygons in the plane overlap; each is given by its corners, two
  * coordinates each, counterclockwise.  Given are also some directions, of
- * different lengths, one of which leads out.  Find the shortest
- * translation of the first polygon along one of them, a positive multiple of the
- * direction, after which the insides of the polygons have nothing in common, and
- * set `move` to it.  Return the index of its direction, or the lower one of two
- * equally short ones.
+ * different lengths.  Find the shortest translation of the first polygon along
+ * one of them, a positive multiple of the direction, after which the insides of
+ * the polygons have nothing in common, and set `move` to it.  Return the index of
+ * its direction, or the lower one of two equally short ones.
  *
  * Section: Apart.
  *

@@ -15,8 +15,8 @@ typedef struct tf_left_list {
     tf_surface_output output;
 } tf_left_list;
 
-/// Begins a list about frames, of which the first was read, in JSON if that is the
-/// format, and otherwise in CSV.  False: there is a fault of the frames.
+/// Begins a list about frames, of which the first was read, in JSON if that is
+/// the format, and otherwise in CSV.  False: there is a fault of the frames.
 /// @param names what rows name besides the elements
 /// @param name what each of the meshes is called; borrowed
 bool tf_left_list_begin(tf_left_list *list, tf_scene_frames *frames,
@@ -27,8 +27,8 @@ bool tf_left_list_begin(tf_left_list *list, tf_scene_frames *frames,
 bool tf_left_list_add(tf_left_list *list, tf_scene_frames *frames,
                       const tf_crossings *left);
 
-/// Writes the list, if anything is in it, after an empty line unless it is JSON.
-/// False: there is a fault of the frames.
+/// Writes the list, if anything is in it, after an empty line unless that is
+/// JSON.  False: there is a fault of the frames.
 bool tf_left_list_write(tf_left_list *list, tf_scene_frames *frames,
                         FILE *stream);
 

@@ -110,7 +110,8 @@ static bool report_frame(scene_untangling *u, untangled_row *row)
     return tf_records_add(&u->records, row) || fault_in_report(u);
 }
 
-/// If not all frames were done, JSON alone has sums; if none was, nothing is told.
+/// If not all frames were done, JSON alone has sums; if none was, nothing is
+/// written.
 static bool end_report(scene_untangling *u, bool done)
 {
     if (!done && u->records.count == 0)

@@ -47,14 +47,14 @@ tf_pair_filter tf_scene_frames_filter(tf_scene_frames *frames);
 double *tf_scene_frames_end(tf_scene_frames *frames);
 void tf_scene_frames_change(tf_scene_frames *frames);
 
-/// Gives changed positions to the files of the first frame, divides their polygons
-/// anew, as whoever reads these positions will, and makes the surface anew.
-/// False: there is a fault.
+/// Gives changed positions to the files of the first frame, divides their
+/// polygons anew, as whoever reads these positions will, and makes the surface
+/// anew.  False: there is a fault.
 bool tf_scene_frames_divide(tf_scene_frames *frames);
 
-/// Sets the inverse masses of all vertices: 0 for those that go where their frames
-/// say, which are those of meshes that don't move, and pinned ones.  False: there
-/// is a fault.
+/// Sets the inverse masses of all vertices: 0 for those that go where their
+/// frames say, which are those of meshes that don't move, and pinned ones.
+/// False: there is a fault.
 /// @param path of the scene file, borrowed for the fault
 bool tf_scene_frames_weigh(tf_scene_frames *frames, const char *path,
                            double inverse_mass[]);

@@ -93,8 +93,8 @@ enum {
     PASSES = 10
 };
 
-/// Each pass untangles with the triangles that the last one has led to.  Without
-/// polygons there is but one.
+/// Each pass untangles with the triangles that the last one has led to.
+/// Without polygons there is but one.
 static bool untangle_all(untangling *u)
 {
     size_t least = u->done->before + 1;

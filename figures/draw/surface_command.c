@@ -33,7 +33,7 @@ static const struct argp_option options[] = {
      "Mark the contacts of the step; at rest, the intersections", 0},
     {"crossings", CROSSINGS, NULL, 0,
      "Draw the curves along which the surface intersects itself at rest, and "
-     "tint the zones around them",
+     "the zones around them",
      0},
     {"motion", MOTION, "MOTION", 0,
      "How elements follow their vertices in mid-step: bent or straight; the "
@@ -257,12 +257,13 @@ int fig_draw_surface(int argc, char *argv[])
             "marked), and as balls the first places of contact, or all if "
             "they are few.  Without END it marks what intersects at rest, as "
             "in 'tanglefree check'.\n\n"
-            "--crossings draws the same at rest as red lines, along which the "
-            "surface passes through itself, and tints zones: the triangles "
-            "that intersect, those that share a vertex with them, and what "
-            "hangs together of both.  Places where it "
-            "only touches itself are balls.  In the plane it draws dots, and "
-            "tints edges.\n\n"
+            "--crossings draws a surface at rest: in red, the curves along "
+            "which it passes through itself, and balls where it only touches "
+            "itself; and fainter than the rest its zones, which are the "
+            "triangles that intersect and those that share a vertex with "
+            "them.  Triangles of a zone that share a vertex, or intersect each "
+            "other, are in the same zone.  In the plane it draws dots, and "
+            "broad bands along the edges of zones.\n\n"
             "The numbers are printed, one key and its value per line.\n\n"
             "Exit status: 0 on success, 2 if the arguments or the input are "
             "invalid or the output cannot be written.",

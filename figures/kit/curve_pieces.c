@@ -154,7 +154,7 @@ bool fig_curve_pieces_find(fig_curve_pieces *pieces, const fig_shape *shape,
     bool good = fig_facets_find(&facets, shape) &&
                 list_passages(&all, &facets, at, found);
     if (good)
-        pieces->piece = malloc((all.count + 1) * sizeof *pieces->piece);
+        pieces->piece = calloc(all.count + 1, sizeof *pieces->piece);
     good = good && pieces->piece;
     if (good)
         join_passages(pieces, &all, &facets, at, crossings);

@@ -52,7 +52,8 @@ START_TEST(meshes_that_move_are_written)
 {
     tf_scene_folder folder = {0};
     begin(&folder);
-    tf_scene_frames_end(&frames)[9] = 7;
+    double *x = tf_scene_frames_end(&frames);
+    x[9] = 7;
     ck_assert(tf_scene_folder_write(&folder, &frames));
     ck_assert_str_eq(run("ls made").out, "shirt-00000.obj\n");
     const char *text = file_text("made/shirt-00000.obj");
@@ -66,7 +67,8 @@ START_TEST(what_was_held_back_is_written_and_told)
     tf_scene_folder folder = {0};
     begin(&folder);
     ck_assert(tf_scene_frames_next(&frames));
-    tf_scene_frames_end(&frames)[2] = 0.5;
+    double *x = tf_scene_frames_end(&frames);
+    x[2] = 0.5;
     ck_assert_ptr_nonnull(freopen("told", "w", stderr));
     ck_assert(tf_scene_folder_write(&folder, &frames));
     fflush(stderr);

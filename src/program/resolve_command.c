@@ -1,7 +1,6 @@
 //: Include what the command resolve needs
 #include "files/masses.h"
 #include "program/command.h"
-#include "program/mesh_output.h"
 #include "program/progress.h"
 #include "program/reports.h"
 #include "program/response_request.h"
@@ -13,6 +12,7 @@
 #include "threads/threads.h"
 #include "writers/collection.h"
 #include "writers/contact_points.h"
+#include "writers/mesh_output.h"
 #include "writers/vtp_writer.h"
 
 #include <errno.h>

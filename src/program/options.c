@@ -100,7 +100,8 @@ const tf_option tf_options[] = {
     {TF_WELD, OPTION("output", 'o', "OUT", out, TF_TEXT), .required = true,
      .help = "Where to write the welded mesh"},
     {TF_UNTANGLE, OPTION("output", 'o', "OUT", out, TF_TEXT), .required = true,
-     .help = "Where to write the mesh then"},
+     .help =
+         "Where to write the mesh, or the folder for the frames of a scene"},
     {TF_SIMULATE, OPTION("output", 'o', "DIR", out, TF_TEXT),
      .help = "The folder for the frames; required"},
     {TF_RESOLVE, OPTION("fixed", 'f', "FILE", fixed, TF_TEXT),

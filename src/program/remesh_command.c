@@ -1,6 +1,5 @@
 //: Include what the command remesh needs
 #include "program/command.h"
-#include "program/mesh_output.h"
 #include "program/progress.h"
 #include "program/reports.h"
 #include "remesh/origins.h"
@@ -8,6 +7,7 @@
 #include "scenes/flaws.h"
 #include "scenes/forecast.h"
 #include "scenes/frames.h"
+#include "writers/mesh_output.h"
 
 #include <string.h>
 

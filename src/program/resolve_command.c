@@ -1,7 +1,6 @@
 //: Include what the command resolve needs
 #include "files/masses.h"
 #include "program/command.h"
-#include "program/mesh_output.h"
 #include "program/progress.h"
 #include "program/reports.h"
 #include "program/response_request.h"
@@ -15,6 +14,7 @@
 #include "untangle/tangled_zones.h"
 #include "writers/collection.h"
 #include "writers/contact_points.h"
+#include "writers/mesh_output.h"
 #include "writers/vtp_writer.h"
 
 #include <errno.h>

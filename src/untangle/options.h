@@ -11,8 +11,9 @@
 /// @addtogroup untangling Untangling
 /// @{
 
-/// What an untangling tries, in this order; each where those before it get no
-/// further.  A rung is a bit, so that several can be added up.
+/// What an untangling tries, each where those before it get no further: in this
+/// order, but TF_RUNG_APART before TF_RUNG_AGAIN.  A rung is a bit, so that
+/// several can be added up.
 typedef enum tf_untangle_rung {
     TF_RUNG_PUSH =
         1, ///< push what is on the wrong side of a crossing curve out

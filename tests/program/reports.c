@@ -135,6 +135,34 @@ START_TEST(json_tells_all_of_remeshing)
 }
 END_TEST
 
+// Untangling ------------------------------------------------------------------
+
+START_TEST(untangling_is_told_by_its_counts_and_rungs)
+{
+    static const struct {
+        size_t before, left;
+        int rungs;
+        const char *status, *names;
+    } told[] = {
+        {0, 0, 0, "clear", "none"},
+        {3, 0, TF_RUNG_PUSH | TF_RUNG_RETURN, "untangled", "push return"},
+        {3, 2, 63, "tangled", "push smooth again apart relax return"}};
+    for (int i = 0; i < 3; i++) {
+        tf_untangled_frame done = {
+            .before = told[i].before,
+            .left = {.count = told[i].left},
+            .report = {.rungs = told[i].rungs, .moved = 9}};
+        tf_untangled untangled;
+        tf_untangled_set(&untangled, &done, 0.25);
+        ck_assert_str_eq(untangled.status, told[i].status);
+        ck_assert_str_eq(untangled.rung_names, told[i].names);
+        ck_assert(untangled.before == told[i].before &&
+                  untangled.left == told[i].left && untangled.seconds == 0.25 &&
+                  untangled.report.moved == 9);
+    }
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("program/reports");
@@ -143,6 +171,7 @@ Suite *suite(void)
     tcase_add_test(reports, json_tells_all_of_a_response);
     tcase_add_test(reports, a_summary_tells_all_of_remeshing);
     tcase_add_test(reports, json_tells_all_of_remeshing);
+    tcase_add_test(reports, untangling_is_told_by_its_counts_and_rungs);
     suite_add_tcase(suite, reports);
     return suite;
 }

@@ -12,16 +12,17 @@
 SUPPORT := $(wildcard tests/support/*.c) tests/bench/workloads.c \
 	$(addprefix tests/bench/,layers.c latency.c measuring.c surface_calls.c \
 	adaptive_calls.c)
-FIGURE_TESTS := $(wildcard $(addsuffix /*.c,$(addprefix tests/,renderer draw kit \
-	figures)))
+# figures/all.c draws every figure and takes longest, so it comes first.
+FIGURE_TESTS := $(wildcard $(addsuffix /*.c,$(addprefix tests/,figures renderer \
+	draw kit)))
 ifndef partial
-WHOLE := $(wildcard tests/whole/*.c) $(FIGURE_TESTS)
+WHOLE := $(FIGURE_TESTS) $(wildcard tests/whole/*.c)
 # tests/whole/expansion and bench use the figures' expansion.
 $(BUILD)/support.a: $(BUILD)/drawing/kit/expansion.o
 else ifneq ($(origin SUPPORT),command line)
 SUPPORT := $(call compiling,$(SUPPORT))
 endif
-TESTS := $(patsubst %.c,$(BUILD)/%,$(wildcard $(MODULES:%=tests/%.c)) $(WHOLE))
+TESTS := $(patsubst %.c,$(BUILD)/%,$(WHOLE) $(wildcard $(MODULES:%=tests/%.c)))
 FUZZERS := $(patsubst %.c,$(BUILD)/%,$(wildcard $(addsuffix .c,$(addprefix \
 	tests/fuzz/,$(or $(FUZZER),*)))))
 
@@ -112,7 +113,7 @@ sanitized_tests = $(BUILD)/tests/figures/all \
 ##@ Check
 
 check-sanitize: ## run the tests under AddressSanitizer and UBSan
-	@$(MAKE) check BUILD=$(BUILD)/sanitize TF_TEST_PERCENT=5 \
+	@$(MAKE) check BUILD=$(BUILD)/sanitize TF_TEST_PERCENT=2 \
 	    CFLAGS='-O1 -g $(sanitizers)' \
 	    TESTS='$(sanitized_tests:$(BUILD)/%=$(BUILD)/sanitize/%)'
 
@@ -131,7 +132,8 @@ coverage: need-coverage ## list which lines of src/ the tests run; at least 95 %
 	@$(MAKE) check BUILD=$(BUILD)/coverage TF_TEST_PERCENT=5 CC=gcc \
 	    CFLAGS='-O0 --coverage -fprofile-update=atomic' \
 	    TESTS='$(library_tests:$(BUILD)/%=$(BUILD)/coverage/%)' WHOLE=
-	@gcovr --filter src/ --object-directory $(BUILD)/coverage --fail-under-line 95
+	@gcovr --filter src/ --object-directory $(BUILD)/coverage -j $$(nproc) \
+	    --fail-under-line 95 $(BUILD)/coverage/src
 .PHONY: coverage
 
 # Fuzzing finds new inputs in a copy of each corpus.  To trace comparisons of

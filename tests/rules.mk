@@ -127,15 +127,6 @@ check-threads: need-check ## run many threads at once under ThreadSanitizer
 	@for log in $(thread_logs); do grep -q '^100%' $$log || exit 1; done
 .PHONY: check-sanitize check-threads
 
-coverage: need-coverage ## list which lines of src/ the tests run; at least 95 %
-	@find $(BUILD)/coverage -name '*.gcda' -delete 2>/dev/null || true
-	@$(MAKE) check BUILD=$(BUILD)/coverage TF_TEST_PERCENT=5 CC=gcc \
-	    CFLAGS='-O0 --coverage -fprofile-update=atomic' \
-	    TESTS='$(library_tests:$(BUILD)/%=$(BUILD)/coverage/%)' WHOLE=
-	@gcovr --filter src/ --object-directory $(BUILD)/coverage -j $$(nproc) \
-	    --fail-under-line 95 $(BUILD)/coverage/src
-.PHONY: coverage
-
 # Fuzzing finds new inputs in a copy of each corpus.  To trace comparisons of
 # numbers, too, would take two thirds of the time and find nothing.
 SECONDS = 60

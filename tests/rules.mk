@@ -138,6 +138,9 @@ fuzz: need-fuzz ## run every fuzzer, or FUZZER=interface, for SECONDS=60
 	    CFLAGS='-O1 -g $(sanitizers) $(fuzzing)' \
 	    LDFLAGS=-fsanitize=fuzzer
 
+# What a fuzzer says of its own doing would push out of sight what it found.
+without_progress = sed '/^\#[0-9]/d; /NEW_FUNC/d; /^\#.*Recommended/,/^\#.*End of/d'
+
 run-fuzzers: $(FUZZERS:=.found)
 # To choose inputs by entropy takes longer than to make the calls.
 $(BUILD)/tests/fuzz/interface.found: fuzzer_options = -entropic=0 -max_len=256 \
@@ -146,7 +149,7 @@ $(BUILD)/tests/fuzz/%.found: $(BUILD)/tests/fuzz/% FORCE
 	@mkdir -p $(BUILD)/corpus/$* && cp -R tests/fuzz/corpus/$*/. $(BUILD)/corpus/$*
 	@$< $(fuzzer_options) -max_total_time=$(SECONDS) -artifact_prefix=$<- \
 	    $(BUILD)/corpus/$* \
-	    >$@ 2>&1 || { tail -n 60 $@; false; }
+	    >$@ 2>&1 || { $(without_progress) $@ | tail -n 60; false; }
 	@printf '%-32s %s\n' tests/fuzz/$* "$$(grep '^Done' $@)"
 .PHONY: fuzz run-fuzzers
 

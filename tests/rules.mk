@@ -114,7 +114,7 @@ sanitized_tests = $(BUILD)/tests/figures/all \
 
 check-sanitize: ## run the tests under AddressSanitizer and UBSan
 	@$(MAKE) check BUILD=$(BUILD)/sanitize TF_TEST_PERCENT=2 \
-	    CFLAGS='-O1 -g $(sanitizers)' \
+	    CFLAGS='-O1 -g1 $(sanitizers)' \
 	    TESTS='$(sanitized_tests:$(BUILD)/%=$(BUILD)/sanitize/%)'
 
 # Threads of the test answer at once what one answered before.  The log is made
@@ -123,7 +123,7 @@ thread_logs = $(patsubst %,$(BUILD)/threads/tests/%.log,base/memory whole/thread
 	whole/surface_threads threads/threads)
 check-threads: need-check ## run many threads at once under ThreadSanitizer
 	@$(MAKE) $(thread_logs) BUILD=$(BUILD)/threads TF_TEST_PERCENT=10 \
-	    CFLAGS='-O1 -g -fsanitize=thread'
+	    CFLAGS='-O1 -g1 -fsanitize=thread'
 	@for log in $(thread_logs); do grep -q '^100%' $$log || exit 1; done
 .PHONY: check-sanitize check-threads
 
@@ -135,7 +135,7 @@ fuzzing = -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp
 
 fuzz: need-fuzz ## run every fuzzer, or FUZZER=interface, for SECONDS=60
 	@$(MAKE) $(parallel) -k -O run-fuzzers BUILD=$(BUILD)/fuzz CC=clang \
-	    CFLAGS='-O1 -g $(sanitizers) $(fuzzing)' \
+	    CFLAGS='-O1 -g1 $(sanitizers) $(fuzzing)' \
 	    LDFLAGS=-fsanitize=fuzzer
 
 # What a fuzzer says of its own doing would push out of sight what it found.

@@ -164,13 +164,15 @@ static bool mark_crossings(tf_frames *frames, const tf_parallel *parallel,
     tf_motion rest = tf_frames_motion(frames);
     tf_crossings found;
     tf_error error;
-    tf_status status = tf_surface_check(frames->surface, rest.vertices,
-                                        rest.start, &check, &found, &error);
+    tf_status status =
+        shown->crosses
+            ? fig_tangled_find(&shown->tangled, frames->surface, &shown->shape,
+                               rest.start, &check, &found, &error)
+            : tf_surface_check(frames->surface, rest.vertices, rest.start,
+                               &check, &found, &error);
     if (status != TF_OK)
         return tf_frames_fault(frames, &error);
-    return (fig_marks_of_crossings(&shown->marks, &shown->shape, &found) &&
-            (!shown->crosses ||
-             fig_tangled_find(&shown->tangled, &shown->shape, &found))) ||
+    return fig_marks_of_crossings(&shown->marks, &shown->shape, &found) ||
            lack_memory(frames);
 }
 

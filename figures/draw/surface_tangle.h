@@ -14,13 +14,13 @@ typedef struct fig_tangled {
               ///< is in, numbered from 0; -1: none
 } fig_tangled;
 
-/// Find the curves and zones of a surface, in its first position, where the
-/// static check has found these crossings.  In a zone are the facets at both
-/// elements of crossings, and those beside them; those that share a vertex or a
-/// crossing are in the same zone.  False if there is no memory; they are to be
-/// freed in any case.
-bool fig_tangled_find(fig_tangled *tangled, const fig_shape *shape,
-                      const tf_crossings *found);
+/// Find the intersections of a surface at rest, which is drawn as `shape`, their
+/// curves, and the zones of tf_surface_zones with a ring.  Returns what that
+/// does; they are to be freed in any case.
+tf_status fig_tangled_find(fig_tangled *tangled, tf_surface *surface,
+                           const fig_shape *shape, const double position[],
+                           const tf_check_options *options, tf_crossings *found,
+                           tf_error *error);
 void fig_tangled_free(fig_tangled *tangled);
 
 #endif

@@ -22,8 +22,24 @@ typedef struct zoned {
     int edges, triangles;
     const int *edge, *triangle; ///< of the surface
     int *zone;                  ///< of each triangle
-    int zones;
+    int zones, core; ///< how many zones; how many triangles without the ring
 } zoned;
+
+static void find_zones(zoned *all, int rings)
+{
+    const fig_some_mesh *mesh = &all->tangle->mesh;
+    TF_REQUIRE(tf_surface_zones(all->surface, mesh->vertices, mesh->x, rings,
+                                NULL, all->zone, &all->zones, NULL,
+                                NULL) == TF_OK);
+}
+
+static int triangles_in_zones(const zoned *all)
+{
+    int count = 0;
+    for (int i = 0; i < all->triangles; i++)
+        count += all->zone[i] >= 0;
+    return count;
+}
 
 static zoned zoned_make(const fig_tangle *tangle)
 {
@@ -36,9 +52,9 @@ static zoned zoned_make(const fig_tangle *tangle)
     all.triangle = tf_surface_triangles(all.surface, &all.triangles);
     all.zone = calloc((size_t)all.triangles, sizeof *all.zone);
     TF_REQUIRE(all.zone);
-    TF_REQUIRE(tf_surface_zones(all.surface, mesh->vertices, mesh->x, RINGS,
-                                NULL, all.zone, &all.zones, NULL,
-                                NULL) == TF_OK);
+    find_zones(&all, 0);
+    all.core = triangles_in_zones(&all);
+    find_zones(&all, RINGS);
     return all;
 }
 
@@ -205,14 +221,9 @@ static void draw_apart(fig_page *page, fig_box box, const zoned *all)
 
 static void print_numbers(FILE *numbers, const zoned *all)
 {
-    int crossing = 0, zone = 0;
-    for (int i = 0; i < all->triangles; i++) {
-        crossing += all->curves.crosses[i];
-        zone += all->zone[i] >= 0;
-    }
     fig_number(numbers, "zones", all->zones);
-    fig_number(numbers, "crossing", crossing);
-    fig_number(numbers, "zone", zone);
+    fig_number(numbers, "core", all->core);
+    fig_number(numbers, "zone", triangles_in_zones(all));
     fig_number(numbers, "triangles", all->triangles);
     fig_number(numbers, "border", kept_vertices(all) + kept_edges(all));
 }

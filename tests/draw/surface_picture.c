@@ -34,13 +34,12 @@ static void mark(trial *tried, bool steps)
         ck_assert(
             fig_marks_of_contacts(&shown->marks, &shown->shape, &contacts));
     } else {
-        ck_assert_int_eq(tf_surface_check(tried->surface, motion->vertices,
-                                          motion->start, NULL, &crossings,
-                                          &error),
+        ck_assert_int_eq(fig_tangled_find(&shown->tangled, tried->surface,
+                                          &shown->shape, motion->start, NULL,
+                                          &crossings, &error),
                          TF_OK);
         ck_assert(
             fig_marks_of_crossings(&shown->marks, &shown->shape, &crossings));
-        ck_assert(fig_tangled_find(&shown->tangled, &shown->shape, &crossings));
     }
 }
 

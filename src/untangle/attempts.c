@@ -41,11 +41,9 @@ static void copy(const tf_attempts *all, double to[], const double from[])
     memcpy(to, from, coordinates(all) * sizeof *to);
 }
 
-static tf_status judge_state(tf_attempts *all)
+/// Judges x, of which the tangle was checked last.
+static void judge(tf_attempts *all)
 {
-    tf_status status = tf_tangle_check(&all->tangle, all->x);
-    if (status != TF_OK)
-        return status;
     size_t count = all->tangle.crossings.count;
     if (count < all->fewest) {
         all->fewest = count;
@@ -53,7 +51,14 @@ static tf_status judge_state(tf_attempts *all)
     }
     all->idle = count < all->few ? 0 : all->idle + 1;
     all->few = count < all->few ? count : all->few;
-    return TF_OK;
+}
+
+static tf_status judge_state(tf_attempts *all)
+{
+    tf_status status = tf_tangle_check(&all->tangle, all->x);
+    if (status == TF_OK)
+        judge(all);
+    return status;
 }
 
 //: Take a step
@@ -76,10 +81,13 @@ static tf_status step(tf_attempts *all, tf_untangle_rung rung, int rings)
     all->next = swap;
     all->rounds++;
     all->rungs |= moved ? (int)rung : 0;
-    status = judge_state(all);
+    status = tf_tangle_follow(&all->tangle, all->next, all->x);
+    if (status != TF_OK)
+        return status;
+    judge(all);
     if (!moved)
         all->idle = IDLE_ROUNDS + 1;
-    return status;
+    return TF_OK;
 }
 
 //: Push for a round

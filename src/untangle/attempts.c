@@ -14,7 +14,7 @@ enum {
     SMOOTH_ROUNDS = 7,   ///< of a smoothing
     MOST_RINGS = 12,     ///< that are smoothed
     SCOPE_RINGS = 2,     ///< around what crosses that may pass through anything
-    USUAL_ROUNDS = 300,  ///< of an attempt
+    USUAL_ROUNDS = 300,  ///< of an attempt since its crossings were halved
     RELAX_ROUNDS = 4000, ///< of the last one
     CHECK_EVERY = 4,     ///< of its rounds
     IDLE_CHECKS = 200    ///< after which it ends
@@ -129,14 +129,34 @@ static tf_status start(tf_attempts *all, const double from[])
     return judge_state(all);
 }
 
+//: Extend an attempt
+/// Until when an attempt goes on, unless it halves its crossings before.
+typedef struct span {
+    int end;
+    size_t half;
+} span;
+
+static span begin_span(const tf_attempts *all)
+{
+    int most = all->options->rounds > 0 ? all->options->rounds : USUAL_ROUNDS;
+    return (span){all->rounds + most, all->few / 2};
+}
+
+static bool goes_on(const tf_attempts *all, span *own)
+{
+    if (all->few <= own->half)
+        *own = begin_span(all);
+    return !is_done(all) && all->rounds < own->end;
+}
+
 //: Make an attempt
 /// Pushes until that gets no further, smooths, and so on.
 static tf_status attempt(tf_attempts *all, bool toggles)
 {
-    int most = all->options->rounds > 0 ? all->options->rounds : USUAL_ROUNDS;
-    int end = all->rounds + most, smoothings = 0;
+    span own = begin_span(all);
+    int smoothings = 0;
     tf_status status = TF_OK;
-    while (status == TF_OK && !is_done(all) && all->rounds < end) {
+    while (status == TF_OK && goes_on(all, &own)) {
         if (may(all, TF_RUNG_PUSH) && all->idle <= IDLE_ROUNDS) {
             status = push_once(all);
             continue;

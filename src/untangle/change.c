@@ -87,7 +87,7 @@ static void spread(tf_change *change, const tf_tangle *tangle)
 static void drop_least(tf_change *change, const tf_tangle *tangle)
 {
     for (int v = 0; v < tangle->near.vertices; v++)
-        if (tf_vector_length(change->move[v]) < 0x1p-10 * tangle->edge_at[v])
+        if (tf_vector_length(change->move[v]) < 0x1p-16 * tangle->edge_at[v])
             change->move[v] = (tf_vector){{0, 0, 0}};
 }
 

@@ -97,7 +97,7 @@ START_TEST(the_least_moves_are_dropped)
     int still = 0;
     for (int v = 0; v < own.mesh.vertices; v++) {
         double length = tf_vector_length(change.move[v]);
-        ck_assert(length == 0 || length >= own.tangle.edge_at[v] / 1024);
+        ck_assert(length == 0 || length >= own.tangle.edge_at[v] / 65536);
         still += length == 0;
     }
     ck_assert_int_gt(still, 20);

@@ -24,7 +24,8 @@ tf_status fig_tangled_find(fig_tangled *tangled, tf_surface *surface,
                            const tf_check_options *options, tf_crossings *found,
                            tf_error *error)
 {
-    size_t facets = (size_t)(shape->axes == 2 ? shape->edges : shape->triangles);
+    size_t facets =
+        (size_t)(shape->axes == 2 ? shape->edges : shape->triangles);
     *tangled = (fig_tangled){0};
     tangled->zone = malloc((facets + 1) * sizeof *tangled->zone);
     if (!tangled->zone)
@@ -36,8 +37,8 @@ tf_status fig_tangled_find(fig_tangled *tangled, tf_surface *surface,
         return status;
     bool good =
         find_touching(tangled, found) &&
-        (shape->axes == 2 || fig_curve_pieces_find(&tangled->curves, shape,
-                                                   shape->at[0], found));
+        (shape->axes == 2 ||
+         fig_curve_pieces_find(&tangled->curves, shape, shape->at[0], found));
     return good ? TF_OK : fail(error);
 }
 

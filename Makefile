@@ -37,9 +37,11 @@ IEEE = -ffp-contract=off -fno-fast-math -fno-associative-math \
 kept_flags = $(filter-out -ffast-math -funsafe-math-optimizations, \
 	$(CFLAGS:-Ofast=-O3))
 
-# No path is in what COMPILE makes, so that builds in two places are the same.
+# No path is in what COMPILE makes, so that builds in two places are the same, and
+# a tree of the first chapters is src/ to who counts lines.
 COMPILE = $(CC) $(CPPFLAGS) $(WARNINGS) $(kept_flags) -std=c17 $(IEEE) \
-	"-ffile-prefix-map=$(CURDIR)=." -ffile-prefix-map=$(BUILD)/=build/
+	"-ffile-prefix-map=$(CURDIR)=." -ffile-prefix-map=$(BUILD)/=build/ \
+	$(partial:%=-ffile-prefix-map=%/=src/)
 LINK = $(CC) $(kept_flags) $(LDFLAGS)
 
 # Recipes show one line for each file they make, or with V=1 all commands.

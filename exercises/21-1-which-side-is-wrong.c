@@ -2,11 +2,12 @@
  *
  * A surface crosses itself.  Given are its edges, each by its two vertices, and
  * for each edge how many triangles it pierces.  An edge with an odd number is
- * cut.  What the edges connect is a part of the surface; what the edges that
- * are not cut connect is a region.  In each part the region with the most
- * vertices is right, and the others are wrong.  Where several have the most,
- * the one with the lowest vertex is right.  Set wrong[v] to whether vertex v is
- * in a wrong region, and return how many are.  There are at most 64 vertices.
+ * cut.  Vertices that edges connect are in the same part of the surface;
+ * vertices that are connected by edges that are not cut are in the same region.
+ * In each part the region with the most vertices is right, and the others are
+ * wrong.  Where several have the most, the one with the lowest vertex is right.
+ * Set wrong[v] to whether vertex v is in a wrong region, and return how many
+ * vertices are.  There are at most 64 vertices.
  *
  * Section: Regions.
  *

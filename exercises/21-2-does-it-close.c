@@ -12,10 +12,10 @@
  *
  * Section: Curves.
  *
- * Hint 1: Two crossings are neighbors on a curve if they are the ends of what
- *     one pair of triangles has in common.
- * Hint 2: Of such a pair, both edges may be of one triangle, or each edge of
- *     another.
+ * Hint 1: Two crossings are neighbors on a curve if they are the two ends of the
+ *     segment that a pair of triangles has in common.
+ * Hint 2: The two edges may belong to the same triangle of the pair, or one to
+ *     each.
  * Hint 3: How many neighbors does a crossing of a closed curve have?
  */
 #include <stdbool.h>

@@ -2,8 +2,8 @@
  *
  * Each triangle of a surface has the number of its zone, from 0, or -1 if it is
  * in none.  An element of the surface is a vertex, an edge or a triangle, given
- * by its one, two or three vertices.  The triangles at an element are those of
- * which it is a vertex or an edge; those at a triangle are the triangle alone.
+ * by its one, two or three vertices.  The triangles at a vertex or an edge are
+ * all that have it; at a triangle there is only the triangle itself.
  * A step leaves out a pair of elements only if all triangles at both of them are
  * in one zone.  Return whether it does.  At each of the elements is a triangle.
  *

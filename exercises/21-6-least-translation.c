@@ -1,12 +1,11 @@
 /* Exercise 21.6.  The least translation that moves two parts apart.
  *
  * Two convex polygons in the plane overlap; each is given by its corners, two
- * coordinates each, in the order in which they follow each other to the left.
- * Given are also some directions, of different lengths.  Find the shortest
- * translation of the first polygon along one of them, a positive multiple of the
- * direction, after which the insides of the polygons have nothing in common, and
- * set `move` to it.  Return the index of its direction, or the lower one of two
- * equally short ones.
+ * coordinates each, counterclockwise.  Given are also some directions, of
+ * different lengths.  Find the shortest translation of the first polygon along
+ * one of them, a positive multiple of the direction, after which the insides of
+ * the polygons have nothing in common, and set `move` to it.  Return the index of
+ * its direction, or the lower one of two equally short ones.
  *
  * Section: Apart.
  *

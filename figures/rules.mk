@@ -19,7 +19,8 @@ figure_ids := $(sort $(basename $(notdir $(FIGURES))))
 
 drawing_file = $(BUILD)/tanglefree-draw
 figure_names = $(subst _,-,$(figure_ids))
-pictures = $(foreach theme,light dark,\
+THEMES = light dark
+pictures = $(foreach theme,$(THEMES),\
 	$(figure_names:%=$(BUILD)/figures/%-$(theme).png))
 
 # Figures that move, and their films as sheets.

@@ -21,12 +21,21 @@ chapter: need-check ## build and test the code of chapters 1 to N=3
 
 ##@ Check
 
+# Their tests note which lines of src/ they run, for `make coverage`.
+chapters_built = $(BUILD)/chapter/all
+counting = -O1 --coverage -fprofile-update=atomic
 check-chapters: need-chapters ## check that no chapter needs a later one
 check-chapters: check-manifest check-layers
 	@python3 book/fragments.py check src
 	@python3 tests/book/fragments_test.py
-	@MAKE='$(MAKE)' TF_TEST_PERCENT=5 $(run_chapters) all
-.PHONY: check-manifest check-layers chapter check-chapters
+	@find $(chapters_built) -name '*.gcda' -delete 2>/dev/null || true
+	@MAKE='$(MAKE) CC=gcc' CFLAGS='$(counting)' TF_TEST_PERCENT=5 \
+	    $(run_chapters) all
+
+coverage: check-chapters need-coverage ## list which lines of src/ the tests run; at least 95 %
+	@gcovr --filter src/ --object-directory $(chapters_built) -j $$(nproc) \
+	    --fail-under-line 95 $(chapters_built)/src
+.PHONY: check-manifest check-layers chapter check-chapters coverage
 
 # The source -------------------------------------------------------------------
 

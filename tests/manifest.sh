@@ -45,5 +45,8 @@ without folders shown | complain 'is a folder of src/ that README.md lacks'
 without shown folders | complain 'is in README.md but no folder of src/'
 without named src | complain 'is in README.md or CONTRIBUTING.md but not in src/'
 
+# MyST reads the words of a picture as YAML, to which ": " begins a value.
+grep -n '^:alt: .*: ' book/*.md | cut -c1-60 | complain '... has ": " in its words'
+
 cat "$scratch/complaints"
 [ ! -s "$scratch/complaints" ]

@@ -6,7 +6,8 @@
 # the locale and the time zone.  Libraries and programs are compared as they are
 # with -g, too.  Pictures and pages must not even depend on the compiler's
 # flags, so those in BUILD, made from the same commit, serve as the first build.
-# Films take half of the time: if FILM is set, only this one is made twice.
+# Films and pictures take most of the time: if FILM is set, only this film and the
+# light pictures are made twice.
 set -eu
 
 scratch=$BUILD/reproducible
@@ -32,12 +33,14 @@ build() { # folder, name of the build, targets
     done
 }
 
-# The second build takes all films but FILM from the first one.
-borrow_films() {
-    mkdir -p "$scratch/another/place/output"
-    cp -R "$BUILD/films" "$scratch/another/place/output"
-    rm "$scratch/another/place/output/films/$FILM-light.png"
-    echo "films=output/films/$FILM-light.png"
+# The second build takes all films but FILM and the dark pictures from the first.
+borrow_pictures() {
+    output=$scratch/another/place/output
+    mkdir -p "$output/figures"
+    cp -R "$BUILD/films" "$output"
+    cp "$BUILD"/figures/*-dark.png "$output/figures"
+    rm "$output/films/$FILM-light.png"
+    echo "films=output/films/$FILM-light.png THEMES=light"
 }
 
 compare() { # first build, products
@@ -52,7 +55,7 @@ export LC_ALL=C.UTF-8 TZ=UTC
 $MAKE all
 build one build 'library program drawing'
 export LC_ALL=C TZ=Asia/Tokyo
-build another/place output "all ${FILM:+$(borrow_films)}"
+build another/place output "all ${FILM:+$(borrow_pictures)}"
 
 wrong=0
 compare "$scratch/one/build" "$libraries"

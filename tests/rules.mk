@@ -12,16 +12,17 @@
 SUPPORT := $(wildcard tests/support/*.c) tests/bench/workloads.c \
 	$(addprefix tests/bench/,layers.c latency.c measuring.c surface_calls.c \
 	adaptive_calls.c)
-FIGURE_TESTS := $(wildcard $(addsuffix /*.c,$(addprefix tests/,renderer draw kit \
-	figures)))
+# figures/all.c draws every figure and takes longest, so it comes first.
+FIGURE_TESTS := $(wildcard $(addsuffix /*.c,$(addprefix tests/,figures renderer \
+	draw kit)))
 ifndef partial
-WHOLE := $(wildcard tests/whole/*.c) $(FIGURE_TESTS)
+WHOLE := $(FIGURE_TESTS) $(wildcard tests/whole/*.c)
 # tests/whole/expansion and bench use the figures' expansion.
 $(BUILD)/support.a: $(BUILD)/drawing/kit/expansion.o
 else ifneq ($(origin SUPPORT),command line)
 SUPPORT := $(call compiling,$(SUPPORT))
 endif
-TESTS := $(patsubst %.c,$(BUILD)/%,$(wildcard $(MODULES:%=tests/%.c)) $(WHOLE))
+TESTS := $(patsubst %.c,$(BUILD)/%,$(WHOLE) $(wildcard $(MODULES:%=tests/%.c)))
 FUZZERS := $(patsubst %.c,$(BUILD)/%,$(wildcard $(addsuffix .c,$(addprefix \
 	tests/fuzz/,$(or $(FUZZER),*)))))
 
@@ -112,8 +113,8 @@ sanitized_tests = $(BUILD)/tests/figures/all \
 ##@ Check
 
 check-sanitize: ## run the tests under AddressSanitizer and UBSan
-	@$(MAKE) check BUILD=$(BUILD)/sanitize TF_TEST_PERCENT=5 \
-	    CFLAGS='-O1 -g $(sanitizers)' \
+	@$(MAKE) check BUILD=$(BUILD)/sanitize TF_TEST_PERCENT=2 \
+	    CFLAGS='-O1 -g1 $(sanitizers)' \
 	    TESTS='$(sanitized_tests:$(BUILD)/%=$(BUILD)/sanitize/%)'
 
 # Threads of the test answer at once what one answered before.  The log is made
@@ -122,17 +123,9 @@ thread_logs = $(patsubst %,$(BUILD)/threads/tests/%.log,base/memory whole/thread
 	whole/surface_threads threads/threads)
 check-threads: need-check ## run many threads at once under ThreadSanitizer
 	@$(MAKE) $(thread_logs) BUILD=$(BUILD)/threads TF_TEST_PERCENT=10 \
-	    CFLAGS='-O1 -g -fsanitize=thread'
+	    CFLAGS='-O1 -g1 -fsanitize=thread'
 	@for log in $(thread_logs); do grep -q '^100%' $$log || exit 1; done
 .PHONY: check-sanitize check-threads
-
-coverage: need-coverage ## list which lines of src/ the tests run; at least 95 %
-	@find $(BUILD)/coverage -name '*.gcda' -delete 2>/dev/null || true
-	@$(MAKE) check BUILD=$(BUILD)/coverage TF_TEST_PERCENT=5 CC=gcc \
-	    CFLAGS='-O0 --coverage -fprofile-update=atomic' \
-	    TESTS='$(library_tests:$(BUILD)/%=$(BUILD)/coverage/%)' WHOLE=
-	@gcovr --filter src/ --object-directory $(BUILD)/coverage --fail-under-line 95
-.PHONY: coverage
 
 # Fuzzing finds new inputs in a copy of each corpus.  To trace comparisons of
 # numbers, too, would take two thirds of the time and find nothing.
@@ -142,8 +135,11 @@ fuzzing = -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp
 
 fuzz: need-fuzz ## run every fuzzer, or FUZZER=interface, for SECONDS=60
 	@$(MAKE) $(parallel) -k -O run-fuzzers BUILD=$(BUILD)/fuzz CC=clang \
-	    CFLAGS='-O1 -g $(sanitizers) $(fuzzing)' \
+	    CFLAGS='-O1 -g1 $(sanitizers) $(fuzzing)' \
 	    LDFLAGS=-fsanitize=fuzzer
+
+# What a fuzzer says of its own doing would push out of sight what it found.
+without_progress = sed '/^\#[0-9]/d; /NEW_FUNC/d; /^\#.*Recommended/,/^\#.*End of/d'
 
 run-fuzzers: $(FUZZERS:=.found)
 # To choose inputs by entropy takes longer than to make the calls.
@@ -153,7 +149,7 @@ $(BUILD)/tests/fuzz/%.found: $(BUILD)/tests/fuzz/% FORCE
 	@mkdir -p $(BUILD)/corpus/$* && cp -R tests/fuzz/corpus/$*/. $(BUILD)/corpus/$*
 	@$< $(fuzzer_options) -max_total_time=$(SECONDS) -artifact_prefix=$<- \
 	    $(BUILD)/corpus/$* \
-	    >$@ 2>&1 || { tail -n 60 $@; false; }
+	    >$@ 2>&1 || { $(without_progress) $@ | tail -n 60; false; }
 	@printf '%-32s %s\n' tests/fuzz/$* "$$(grep '^Done' $@)"
 .PHONY: fuzz run-fuzzers
 
@@ -186,8 +182,13 @@ soak-scales: COUNT = 10000
 soak-scales: $(BUILD)/tests/soak/scales ## remesh and move COUNT=10000 scenes of any size
 	@$< $(COUNT) $(FROM)
 
+soak-zones: COUNT = 10000
+soak-zones: $(BUILD)/tests/soak/zones ## resolve COUNT=10000 steps from tangled starts
+	@$< $(COUNT) $(FROM)
+	@$< 500 $(FROM) weak
+
 soak-scenes: $(BUILD)/tests/soak/scenes ## simulate all scenes, and judge every step
 	@$<
 
 .PHONY: soak soak-vectors soak-response soak-surgery soak-topology \
-	soak-scales soak-scenes
+	soak-scales soak-zones soak-scenes

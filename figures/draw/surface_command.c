@@ -14,7 +14,7 @@
 typedef struct request {
     const char *path[2];
     int path_count;
-    bool contacts, told_motion;
+    bool contacts, crossings, told_motion;
     fig_motion motion;
     fig_up up;
     double time; ///< -1: not told
@@ -24,12 +24,17 @@ typedef struct request {
 enum {
     TIME = 'T',
     OLD_MOTION = 'm',
-    MOTION = 256 // no letter
+    MOTION = 256, // no letter
+    CROSSINGS     // nor this one
 };
 
 static const struct argp_option options[] = {
     {"contacts", 'c', NULL, 0,
      "Mark the contacts of the step; at rest, the intersections", 0},
+    {"crossings", CROSSINGS, NULL, 0,
+     "Draw the curves along which the surface intersects itself at rest, and "
+     "the zones around them",
+     0},
     {"motion", MOTION, "MOTION", 0,
      "How elements follow their vertices in mid-step: bent or straight; the "
      "default is bent",
@@ -81,6 +86,12 @@ static void check(struct argp_state *state)
         !asked->settings.turntable)
         argp_error(state, "nothing moves without END; add it, or "
                           "--turntable");
+    if (asked->crossings && asked->path_count == 2)
+        argp_error(state, "--crossings is for a surface at rest; drop END, or "
+                          "write --contacts");
+    if (asked->crossings && asked->contacts)
+        argp_error(state, "--contacts and --crossings exclude each other; drop "
+                          "one");
 }
 
 static error_t understand(int key, char *text, struct argp_state *state)
@@ -92,6 +103,9 @@ static error_t understand(int key, char *text, struct argp_state *state)
         return 0;
     case 'c':
         asked->contacts = true;
+        return 0;
+    case CROSSINGS:
+        asked->crossings = true;
         return 0;
     case OLD_MOTION:
         fig_refuse_letter(state, OLD_MOTION, "--motion");
@@ -150,8 +164,12 @@ static bool mark_crossings(tf_frames *frames, const tf_parallel *parallel,
     tf_motion rest = tf_frames_motion(frames);
     tf_crossings found;
     tf_error error;
-    tf_status status = tf_surface_check(frames->surface, rest.vertices,
-                                        rest.start, &check, &found, &error);
+    tf_status status =
+        shown->crosses
+            ? fig_tangled_find(&shown->tangled, frames->surface, &shown->shape,
+                               rest.start, &check, &found, &error)
+            : tf_surface_check(frames->surface, rest.vertices, rest.start,
+                               &check, &found, &error);
     if (status != TF_OK)
         return tf_frames_fault(frames, &error);
     return fig_marks_of_crossings(&shown->marks, &shown->shape, &found) ||
@@ -189,7 +207,8 @@ static bool take_surface(const request *asked, tf_frames *frames,
     tf_motion motion = tf_frames_motion(frames);
     shown->steps = asked->path_count == 2;
     shown->motion = asked->motion;
-    shown->marked = asked->contacts;
+    shown->crosses = asked->crossings;
+    shown->marked = asked->contacts || asked->crossings;
     if (!fig_shape_make(&shown->shape, frames->surface, frames->axes, &motion,
                         asked->up))
         return lack_memory(frames);
@@ -209,6 +228,7 @@ static int draw(const request *asked, fig_shown_surface *shown)
     } else {
         tf_fault_print(&frames.fault, "tanglefree-draw");
     }
+    fig_tangled_free(&shown->tangled);
     fig_marks_free(&shown->marks);
     fig_shape_free(&shown->shape);
     tf_frames_free(&frames);
@@ -239,6 +259,13 @@ int fig_draw_surface(int argc, char *argv[])
             "marked), and as balls the first places of contact, or all if "
             "they are few.  Without END it marks what intersects at rest, as "
             "in 'tanglefree check'.\n\n"
+            "--crossings draws a surface at rest: in red, the curves along "
+            "which it passes through itself, and balls where it only touches "
+            "itself; and fainter than the rest its zones, which are the "
+            "triangles that intersect and those that share a vertex with "
+            "them.  Triangles of a zone that share a vertex, or intersect each "
+            "other, are in the same zone.  In the plane it draws dots, and "
+            "broad bands along the edges of zones.\n\n"
             "The numbers are printed, one key and its value per line.\n\n"
             "Exit status: 0 on success, 2 if the arguments or the input are "
             "invalid or the output cannot be written.",

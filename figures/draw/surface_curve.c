@@ -4,7 +4,7 @@
 /// Of vertices, in points, and how long an edge must be for them to be drawn.
 static const double dot_diameter = 3, least_length = 7;
 
-static const double line_width = 1.5, touching_width = 2.4;
+static const double line_width = 1.5, touching_width = 2.4, zone_width = 6;
 
 /// A curve at a time on its way to a page.
 typedef struct stage {
@@ -34,12 +34,23 @@ static void draw_edge(const stage *s, int edge, double width, fig_paint paint)
 
 static bool touches(const stage *s, int edge)
 {
-    return s->shown->marked &&
+    return s->shown->marked && !s->shown->crosses &&
            fig_is_marked(s->page, s->shown->marks.edge[edge], s->t);
+}
+
+/// Wide and pale, below the edges that are in zones.
+static void draw_zones(const stage *s)
+{
+    for (int i = 0; i < s->shape->edges; i++)
+        if (fig_is_in_zone(s->shown, i))
+            draw_edge(
+                s, i, zone_width,
+                fig_facet_paint(s->shown, i, s->shape->edge[2 * (size_t)i]));
 }
 
 static void draw_edges(const stage *s)
 {
+    draw_zones(s);
     for (int i = 0; i < s->shape->edges; i++) {
         int part = s->shape->part[s->shape->edge[2 * (size_t)i]];
         draw_edge(s, i, line_width, fig_part_paint(s->shown, part));

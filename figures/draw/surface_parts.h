@@ -19,6 +19,13 @@ bool fig_is_marked(const fig_page *page, double toi, double t);
 /// before.
 fig_paint fig_touching_paint(double toi, double t);
 
+/// Whether a facet, a triangle or in the plane an edge, is shown in a zone.
+bool fig_is_in_zone(const fig_shown_surface *shown, int facet);
+
+/// The paint of a facet that has this vertex: that of its part, paler in a zone.
+fig_paint fig_facet_paint(const fig_shown_surface *shown, int facet,
+                          int vertex);
+
 /// The paint of spots: darker than that of the elements.
 extern const fig_paint fig_spot_paint;
 

@@ -28,7 +28,8 @@ fig_paint fig_part_paint(const fig_shown_surface *shown, int part)
     static const double pale = -0.2, behind_marks = -0.15;
     fig_paint paint = {.role = role[part % 6],
                        .shade = shade[part / 6 % 3] + pale};
-    if (shown->marked && shown->marks.count > 0 && shown->shape.axes == 3)
+    if (shown->marked && !shown->crosses && shown->marks.count > 0 &&
+        shown->shape.axes == 3)
         paint.shade += behind_marks;
     return paint;
 }
@@ -44,6 +45,20 @@ fig_paint fig_touching_paint(double toi, double t)
     static const double rounding = 1e-6, now = -0.22, later = -0.55;
     return (fig_paint){.role = FIG_ROLE_CONTACT,
                        .shade = toi <= t + rounding ? now : later};
+}
+
+bool fig_is_in_zone(const fig_shown_surface *shown, int facet)
+{
+    return shown->crosses && shown->tangled.zone[facet] >= 0;
+}
+
+fig_paint fig_facet_paint(const fig_shown_surface *shown, int facet, int vertex)
+{
+    static const double tint = -0.4;
+    fig_paint paint = fig_part_paint(shown, shown->shape.part[vertex]);
+    if (fig_is_in_zone(shown, facet))
+        paint.shade += tint;
+    return paint;
 }
 
 const fig_paint fig_spot_paint = {.role = FIG_ROLE_CONTACT, .shade = 0.2};
@@ -102,6 +117,20 @@ static void write_count(int count, const char *one, const char *many,
     snprintf(text + at, (size_t)(COUNT - at), " %s", count == 1 ? one : many);
 }
 
+/// "12 intersections along 2 curves, in 1 zone".
+static void write_tangle(const fig_shown_surface *shown, char text[TEXT])
+{
+    const fig_tangled *tangled = &shown->tangled;
+    char count[COUNT], curves[COUNT], zones[COUNT];
+    write_count(shown->marks.count, "intersection", "intersections", count);
+    write_count(tangled->curves.curves, "curve", "curves", curves);
+    write_count(tangled->zones, "zone", "zones", zones);
+    if (tangled->curves.curves > 0)
+        snprintf(text, TEXT, "%s along %s, in %s", count, curves, zones);
+    else
+        snprintf(text, TEXT, "%s in %s", count, zones);
+}
+
 static void write_marks(const fig_shown_surface *shown, char text[TEXT])
 {
     const fig_marks *marks = &shown->marks;
@@ -131,7 +160,10 @@ static void write_surface(const fig_page *page, const fig_shown_surface *shown,
         write_count(shape->triangles, "triangle", "triangles", elements);
     else
         write_count(shape->edges, "edge", "edges", elements);
-    snprintf(text, TEXT, "%s", elements);
+    const char *zones =
+        shape->axes == 3 ? ", fainter in zones" : ", broader in zones";
+    bool zoned = shown->crosses && shown->tangled.zones > 0;
+    snprintf(text, TEXT, "%s%s", elements, zoned ? zones : "");
     if (!shown->steps)
         return;
     // In films, digits that come and go would make the line tremble.
@@ -148,7 +180,10 @@ static void draw_captions(fig_page *page, const fig_shown_surface *shown,
     double middle = fig_page_width(page) / 2;
     char text[TEXT];
     if (shown->marked) {
-        write_marks(shown, text);
+        if (shown->crosses && shown->marks.count > 0)
+            write_tangle(shown, text);
+        else
+            write_marks(shown, text);
         fig_page_text(page, middle, caption_from, FIG_ALIGN_CENTER, text,
                       FIG_LETTERS,
                       shown->marks.count > 0 ? FIG_ROLE_CONTACT : FIG_ROLE_INK);
@@ -174,6 +209,10 @@ static void print_numbers(const fig_shown_surface *shown, FILE *numbers)
     const fig_marks *marks = &shown->marks;
     fig_number(numbers, marks->at_rest ? "intersections" : "contacts",
                marks->count);
+    if (shown->crosses) {
+        fig_number(numbers, "curves", shown->tangled.curves.curves);
+        fig_number(numbers, "zones", shown->tangled.zones);
+    }
     if (marks->at_rest || marks->count == 0)
         return;
     fig_number(numbers, "toi_lo", marks->toi_lo);

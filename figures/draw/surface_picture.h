@@ -4,6 +4,7 @@
 
 #include "draw/drawing.h"
 #include "draw/surface_marks.h"
+#include "draw/surface_tangle.h"
 #include "draw/surface_view.h"
 #include "kit/surface_shape.h"
 
@@ -13,6 +14,8 @@ typedef struct fig_shown_surface {
     bool steps;      ///< there is a step; otherwise the surface is at rest
     bool marked;     ///< there are marks
     fig_marks marks; ///< of a step if there is one
+    bool crosses;    ///< curves and zones are shown in place of marked elements
+    fig_tangled tangled;
     fig_motion motion;
     double time;       ///< of a picture that is no film
     fig_camera camera; ///< fitted

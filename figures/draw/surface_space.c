@@ -14,6 +14,10 @@ enum {
 /// Of particles, in points.
 static const double particle_diameter = 1.6;
 
+/// Of the curves along which a surface intersects itself, and of balls where it
+/// only touches itself, in points.
+static const double curve_width = 2, touch_diameter = 4.5;
+
 /// Of edges in contact: narrower than what stands off.
 static const double touching_width = 1.3;
 
@@ -32,11 +36,11 @@ typedef struct stage {
 static fig_paint triangle_paint(const stage *s, int triangle)
 {
     const fig_marks *marks = &s->shown->marks;
-    if (s->shown->marked &&
+    if (s->shown->marked && !s->shown->crosses &&
         fig_is_marked(s->page, marks->triangle[triangle], s->t))
         return fig_touching_paint(marks->triangle[triangle], s->t);
-    int vertex = s->shape->triangle[3 * (size_t)triangle];
-    return fig_part_paint(s->shown, s->shape->part[vertex]);
+    return fig_facet_paint(s->shown, triangle,
+                           s->shape->triangle[3 * (size_t)triangle]);
 }
 
 static void set_corner(fig_facet *facet, int corner, tf_vector at,
@@ -172,19 +176,33 @@ static void add_touching_lines(const stage *s)
                      fig_touching_paint(toi[i], s->t));
 }
 
+static void add_spot(const stage *s, int i, double diameter, fig_paint paint)
+{
+    const fig_spot *spot = &s->shown->marks.spot[i];
+    fig_scene_ball(s->scene,
+                   fig_shape_point(s->shape, spot->vertices, spot->vertex,
+                                   spot->weight, s->shown->motion, s->t),
+                   diameter, paint);
+}
+
 static void add_spots(const stage *s)
 {
-    const fig_marks *marks = &s->shown->marks;
-    for (int i = 0; i < marks->count; i++) {
-        const fig_spot *spot = &marks->spot[i];
+    for (int i = 0; i < s->shown->marks.count; i++) {
         double width = fig_spot_width(s->page, s->shown, i, s->t);
         if (width > 0)
-            fig_scene_ball(s->scene,
-                           fig_shape_point(s->shape, spot->vertices,
-                                           spot->vertex, spot->weight,
-                                           s->shown->motion, s->t),
-                           width, fig_spot_paint);
+            add_spot(s, i, width, fig_spot_paint);
     }
+}
+
+/// Curves as lines, and as balls what only touches.
+static void add_crossings(const stage *s)
+{
+    const fig_tangled *tangled = &s->shown->tangled;
+    fig_curve_pieces_draw(s->scene, &tangled->curves, curve_width);
+    for (int i = 0; i < s->shown->marks.count; i++)
+        if (tangled->touches[i])
+            add_spot(s, i, touch_diameter,
+                     (fig_paint){.role = FIG_ROLE_CONTACT});
 }
 
 // The surface ------------------------------------------------------------
@@ -198,7 +216,9 @@ static void add_surface(stage *s)
     add_triangles(s);
     add_particles(s);
     add_lines(s);
-    if (s->shown->marked) {
+    if (s->shown->crosses) {
+        add_crossings(s);
+    } else if (s->shown->marked) {
         add_touching_lines(s);
         add_spots(s);
     }

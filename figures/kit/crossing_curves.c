@@ -21,101 +21,19 @@ static tf_vector place(const double x[], int vertex)
 
 // The curves -----------------------------------------------------------------
 
-/// A point where an edge of the one triangle passes through the other.
-typedef struct passage {
-    int triangle[2];
-    tf_vector at;
-} passage;
-
-static bool has_vertex(const fig_some_mesh *mesh, int triangle, int vertex)
+static void find_pieces(fig_crossing_curves *curves, const tf_surface *surface,
+                        int vertices, const double x[],
+                        const tf_crossings *found)
 {
-    const int *v = mesh->triangle + 3 * (ptrdiff_t)triangle;
-    return v[0] == vertex || v[1] == vertex || v[2] == vertex;
-}
-
-static tf_vector find_passage(const double x[], const int v[5])
-{
-    tf_vector c = place(x, v[2]);
-    tf_vector normal = fig_cross(fig_difference(place(x, v[3]), c),
-                                 fig_difference(place(x, v[4]), c));
-    double a = tf_vector_dot(normal, fig_difference(place(x, v[0]), c));
-    double b = tf_vector_dot(normal, fig_difference(place(x, v[1]), c));
-    return fig_lerp(place(x, v[0]), place(x, v[1]), a / (a - b));
-}
-
-static int compare_passages(const void *a, const void *b)
-{
-    const passage *p = a, *q = b;
-    for (int i = 0; i < 2; i++)
-        if (p->triangle[i] != q->triangle[i])
-            return p->triangle[i] < q->triangle[i] ? -1 : 1;
-    return 0;
-}
-
-/// Add a passage for each triangle at the edge.
-static int add_passages(const fig_some_mesh *mesh, const double x[],
-                        const int v[5], passage *to)
-{
-    int count = 0, through = 0;
-    while (!has_vertex(mesh, through, v[2]) ||
-           !has_vertex(mesh, through, v[3]) || !has_vertex(mesh, through, v[4]))
-        through++;
-    for (int t = 0; t < mesh->triangles && count < 2; t++)
-        if (has_vertex(mesh, t, v[0]) && has_vertex(mesh, t, v[1]))
-            to[count++] = (passage){
-                {t < through ? t : through, t < through ? through : t},
-                find_passage(x, v)};
-    return count;
-}
-
-/// The vertex that two triangles share, if they share one; -1: they do not.
-static int shared_vertex(const fig_some_mesh *mesh, const int triangle[2])
-{
-    const int *v = mesh->triangle + 3 * (ptrdiff_t)triangle[0];
-    for (int i = 0; i < 3; i++)
-        if (has_vertex(mesh, triangle[1], v[i]))
-            return v[i];
-    return -1;
-}
-
-/// Two passages of the same two triangles are the ends of a piece; a single one
-/// goes on to the vertex that they share.
-static void join_passages(fig_crossing_curves *curves,
-                          const fig_some_mesh *mesh, const double x[],
-                          int count, const passage passages[])
-{
-    for (int i = 0; i < count; i++) {
-        const passage *p = &passages[i];
-        fig_curve_piece *piece = &curves->piece[curves->pieces];
-        int shared = shared_vertex(mesh, p->triangle);
-        memcpy(piece->triangle, p->triangle, sizeof p->triangle);
-        piece->at[0] = p->at;
-        if (i + 1 < count && compare_passages(p, p + 1) == 0)
-            piece->at[1] = passages[++i].at;
-        else if (shared >= 0)
-            piece->at[1] = place(x, shared);
-        else
-            continue;
-        curves->pieces++;
-    }
-    for (int i = 0; i < curves->pieces; i++)
-        for (int k = 0; k < 2; k++)
-            curves->crosses[curves->piece[i].triangle[k]] = true;
-}
-
-static void find_pieces(fig_crossing_curves *curves, const fig_some_mesh *mesh,
-                        const double x[], const tf_crossings *found)
-{
-    passage *all = allocate(2 * found->count, sizeof *all);
-    int count = 0;
-    for (size_t i = 0; i < found->count; i++)
-        if (found->crossing[i].kind == TF_EDGE_THROUGH_TRIANGLE)
-            count +=
-                add_passages(mesh, x, found->crossing[i].vertex, all + count);
-    qsort(all, (size_t)count, sizeof *all, compare_passages);
-    curves->piece = allocate((size_t)count, sizeof *curves->piece);
-    join_passages(curves, mesh, x, count, all);
-    free(all);
+    const tf_motion rest = {3, vertices, x, x};
+    fig_shape shape;
+    tf_vector *at = allocate((size_t)vertices, sizeof *at);
+    for (int v = 0; v < vertices; v++)
+        at[v] = place(x, v);
+    TF_REQUIRE(fig_shape_make(&shape, surface, 3, &rest, FIG_UP_Z) &&
+               fig_curve_pieces_find(&curves->pieces, &shape, at, found));
+    fig_shape_free(&shape);
+    free(at);
 }
 
 // What they cut --------------------------------------------------------------
@@ -165,8 +83,7 @@ fig_crossing_curves fig_crossing_curves_find(const fig_some_mesh *mesh,
     curves.crossings = found.count;
     curves.part = allocate(vertices, sizeof(int));
     curves.wrong = allocate(vertices, sizeof(bool));
-    curves.crosses = allocate((size_t)mesh->triangles, sizeof(bool));
-    find_pieces(&curves, mesh, x, &found);
+    find_pieces(&curves, surface, mesh->vertices, x, &found);
     find_regions(&curves, surface, mesh->vertices, x);
     tf_surface_free(surface);
     return curves;
@@ -174,22 +91,13 @@ fig_crossing_curves fig_crossing_curves_find(const fig_some_mesh *mesh,
 
 void fig_crossing_curves_free(fig_crossing_curves *curves)
 {
-    free(curves->piece);
-    free(curves->crosses);
+    fig_curve_pieces_free(&curves->pieces);
     free(curves->part);
     free(curves->wrong);
     *curves = (fig_crossing_curves){0};
 }
 
 // Drawing --------------------------------------------------------------------
-
-void fig_crossing_curves_draw(fig_scene *scene,
-                              const fig_crossing_curves *curves, double width)
-{
-    for (int i = 0; i < curves->pieces; i++)
-        fig_scene_tube(scene, curves->piece[i].at[0], curves->piece[i].at[1],
-                       width, (fig_paint){.role = FIG_ROLE_CONTACT});
-}
 
 /// The normals of the vertices, those of their triangles added up.
 static tf_vector *find_normals(const fig_some_mesh *mesh, const double x[])

@@ -36,7 +36,7 @@ size_t fig_tangle_draw_in(fig_panel *panel, const fig_tangle *tangle,
         fig_scene_reach(scene, fig_vector_of(mesh->x + 3 * (ptrdiff_t)v));
     fig_draw_smooth_mesh(scene, mesh, x, 0.2, paint_part,
                          &(painted){mesh, &curves});
-    fig_crossing_curves_draw(scene, &curves, 1.8);
+    fig_curve_pieces_draw(scene, &curves.pieces, 1.8);
     size_t crossings = curves.crossings;
     fig_crossing_curves_free(&curves);
     return crossings;

@@ -38,9 +38,10 @@ static double length_after(const fig_tangle *tangle, const double by[3],
             x[3 * (ptrdiff_t)v + k] += way * by[k];
     fig_crossing_curves_free(&curves);
     curves = fig_crossing_curves_find(mesh, x);
-    for (int i = 0; i < curves.pieces; i++)
-        length += fig_length(
-            fig_difference(curves.piece[i].at[0], curves.piece[i].at[1]));
+    for (int i = 0; i < curves.pieces.count; i++) {
+        const tf_vector *at = curves.pieces.piece[i].at;
+        length += fig_length(fig_difference(at[0], at[1]));
+    }
     fig_crossing_curves_free(&curves);
     free(x);
     return length;

@@ -25,9 +25,8 @@ typedef struct parts {
     double lift;
 } parts;
 
-static double lift_of(const parts *p, int triangle)
+static double lift_of(const parts *p, int vertex)
 {
-    int vertex = p->mesh->triangle[3 * (ptrdiff_t)triangle];
     return p->curves.part[vertex] == 0 ? 0 : p->lift;
 }
 
@@ -47,10 +46,10 @@ static bool paint_region(const void *context, int triangle, fig_paint *paint)
 /// The curves on both of the parts that they are on.
 static void draw_curves(fig_scene *scene, const parts *p)
 {
-    for (int i = 0; i < p->curves.pieces; i++)
+    for (int i = 0; i < p->curves.pieces.count; i++)
         for (int k = 0; k < 2; k++) {
-            const fig_curve_piece *piece = &p->curves.piece[i];
-            tf_vector by = {{0, 0, lift_of(p, piece->triangle[k])}};
+            const fig_curve_piece *piece = &p->curves.pieces.piece[i];
+            tf_vector by = {{0, 0, lift_of(p, piece->vertex[k])}};
             fig_scene_tube(scene, fig_sum(piece->at[0], by),
                            fig_sum(piece->at[1], by), 1.8,
                            (fig_paint){.role = FIG_ROLE_CONTACT});

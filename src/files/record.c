@@ -7,6 +7,17 @@
 #include <math.h>
 #include <string.h>
 
+//: Join fields
+void tf_fields_join(tf_field all[], const tf_field *first,
+                    const tf_field rest[])
+{
+    int count = 0;
+    all[count++] = *first;
+    for (; rest->name; rest++)
+        all[count++] = *rest;
+    all[count] = (tf_field){0};
+}
+
 //: Find the value of a field
 static const void *member(const tf_field *field, const void *record)
 {

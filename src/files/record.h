@@ -38,6 +38,10 @@ typedef struct tf_field {
              : TF_NUMBER, const char *                                         \
              : TF_WORD)
 
+/// Lists a field and those of another list.
+void tf_fields_join(tf_field all[], const tf_field *first,
+                    const tf_field rest[]);
+
 //: Declare how to write a record
 /// Write the names of the fields as the first line of CSV, or the values as a
 /// line, with nothing where there is none, and words in quotes where they need

@@ -100,7 +100,8 @@ const tf_option tf_options[] = {
     {TF_WELD, OPTION("output", 'o', "OUT", out, TF_TEXT), .required = true,
      .help = "Where to write the welded mesh"},
     {TF_UNTANGLE, OPTION("output", 'o', "OUT", out, TF_TEXT), .required = true,
-     .help = "Where to write the mesh then"},
+     .help =
+         "Where to write the mesh, or the folder for the frames of a scene"},
     {TF_SIMULATE, OPTION("output", 'o', "DIR", out, TF_TEXT),
      .help = "The folder for the frames; required"},
     {TF_RESOLVE, OPTION("fixed", 'f', "FILE", fixed, TF_TEXT),
@@ -133,6 +134,10 @@ const tf_option tf_options[] = {
     {TF_RESOLVE, OPTION("substeps", 0, "N", substeps, TF_WHOLE), .least = 1,
      .most = 1000, .usual = "1",
      .help = "In how many parts to take the step, each of them clear"},
+    {TF_RESOLVE,
+     OPTION("exempt-crossings", 0, NULL, exempt_crossings, TF_SWITCH),
+     .help =
+         "Leave out what crosses in START, list it, and keep all else clear"},
     {TF_CHECK, OPTION("each", 0, NULL, each, TF_SWITCH),
      .help = "Check each file, or each mesh of a scene, by itself"},
     {TF_CHECK, OPTION("thickness", 0, "D", thickness, TF_REAL), POSITIVE,
@@ -144,8 +149,9 @@ const tf_option tf_options[] = {
      .help = "Join vertices that are no farther from each other than this; the "
              "default is those at exactly the same position"},
     {TF_REMESH, OPTION("edge", 'e', "L", edge, TF_REAL), POSITIVE,
-     .help = "The length that edges should have; with --lengths or --error, the "
-             "greatest"},
+     .help =
+         "The length that edges should have; with --lengths or --error, the "
+         "greatest"},
     {TF_REMESH, OPTION("lengths", 0, "FILE", lengths, TF_TEXT),
      .help = "The lengths that edges should have near each vertex, in their "
              "order"},

@@ -32,6 +32,7 @@ typedef struct tf_request {
     const char *fixed, *masses,
         *vertex_friction; ///< of resolve, the first also of untangle: files, or
                           ///< NULL
+    bool exempt_crossings; ///< of resolve
     const tf_zone_solver *solver;
     double separation, friction, restitution, restitution_threshold;
     int substeps;
@@ -39,10 +40,10 @@ typedef struct tf_request {
     double within;    ///< of weld: a length, 0 if not given
     double edge;      ///< of remesh and simulate: a length, 0 if not given
     int rounds;
-    double crease;    ///< of remesh: degrees
+    double crease;              ///< of remesh: degrees
     const char *keep, *lengths; ///< of remesh: files, or NULL
     double error;               ///< of remesh: a distance, 0 if not given
-    int steps, size; ///< of simulate
+    int steps, size;            ///< of simulate
     bool resume;
 } tf_request;
 

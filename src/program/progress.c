@@ -46,6 +46,12 @@ void tf_progress_line_show(tf_progress_line *progress, long count,
     progress->next = tf_clock_seconds() + 0.2;
 }
 
+bool tf_progress_line_show_stage(void *progress, const tf_stage *stage)
+{
+    tf_progress_line_show(progress, (long)stage->done, stage->name);
+    return true;
+}
+
 void tf_progress_line_end(tf_progress_line *progress)
 {
     if (progress->shown)

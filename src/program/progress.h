@@ -1,6 +1,8 @@
 //: Declare the progress line and its clock
 #pragma once
 
+#include "base/progress.h"
+
 #include <stdbool.h>
 
 /// A line on the terminal about work that takes more than a second, written
@@ -15,6 +17,10 @@ typedef struct tf_progress_line {
 tf_progress_line tf_progress_line_begin(bool silent);
 void tf_progress_line_show(tf_progress_line *progress, long count,
                            const char *things);
+
+/// The same for a long call of the library, whose context is a line.
+bool tf_progress_line_show_stage(void *progress, const tf_stage *stage);
+
 void tf_progress_line_end(tf_progress_line *progress);
 
 /// Seconds since some time in the past, which never jump.

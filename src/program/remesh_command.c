@@ -2,7 +2,6 @@
 #include "files/kept_edges.h"
 #include "files/masses.h"
 #include "program/command.h"
-#include "program/mesh_output.h"
 #include "program/progress.h"
 #include "program/reports.h"
 #include "remesh/origins.h"
@@ -10,6 +9,7 @@
 #include "scenes/flaws.h"
 #include "scenes/forecast.h"
 #include "scenes/frames.h"
+#include "writers/mesh_output.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -45,7 +45,8 @@ static bool load(remeshing *r)
 static bool read_kept(remeshing *r)
 {
     const char *path = r->request->keep;
-    int vertices = tf_mesh_file_elements(tf_frames_file(&r->frames), 3).vertices;
+    int vertices =
+        tf_mesh_file_elements(tf_frames_file(&r->frames), 3).vertices;
     return !path ||
            tf_kept_edges_read(&r->kept, path, vertices, &r->frames.fault);
 }

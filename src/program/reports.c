@@ -1,6 +1,8 @@
 //: Include what the reports of changes need
 #include "program/reports.h"
 
+#include <string.h>
+
 //: List the fields of a response
 const tf_field tf_resolved_fields[] = {
     TF_FIELD("status", tf_resolved, status),
@@ -32,6 +34,8 @@ const tf_field tf_resolved_fields[] = {
     TF_FIELD("first near", tf_resolved, report.first_near),
     TF_FIELD("near", tf_resolved, report.near),
     TF_FIELD("near at start", tf_resolved, report.near_at_start),
+    TF_FIELD("exempt zones", tf_resolved, exempt_zones),
+    TF_FIELD("exempt crossings", tf_resolved, exempt_crossings),
     {0},
 };
 
@@ -81,6 +85,32 @@ const tf_field tf_weld_fields[] = {
     TF_FIELD("collapsed edges", tf_weld_report, collapsed_edges),
     {0},
 };
+
+//: Tell what untangling did
+static void name_rungs(tf_untangled *untangled)
+{
+    static const char *const names[] = {"push",  "smooth", "again",
+                                        "apart", "relax",  "return"};
+    for (int i = 0; i < 6; i++)
+        if (untangled->report.rungs >> i & 1) {
+            strcat(untangled->rungs, untangled->rungs[0] ? " " : "");
+            strcat(untangled->rungs, names[i]);
+        }
+    untangled->rung_names = untangled->rungs[0] ? untangled->rungs : "none";
+}
+
+void tf_untangled_set(tf_untangled *untangled, const tf_untangled_frame *done,
+                      double seconds)
+{
+    *untangled = (tf_untangled){.status = done->left.count > 0 ? "tangled"
+                                          : done->before > 0   ? "untangled"
+                                                               : "clear",
+                                .before = done->before,
+                                .left = done->left.count,
+                                .report = done->report,
+                                .seconds = seconds};
+    name_rungs(untangled);
+}
 
 //: List the fields about untangling
 const tf_field tf_untangled_fields[] = {

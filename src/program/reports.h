@@ -4,14 +4,16 @@
 #include "files/record.h"
 #include "remesh/remesh.h"
 #include "response/options.h"
+#include "scenes/untangled_frame.h"
 #include "scenes/weld.h"
-#include "untangle/options.h"
 
 /// What it took to resolve a step.
 typedef struct tf_resolved {
     const char *status; ///< "clear" or "resolved"
     tf_response_report report;
     double seconds;
+    int exempt_zones;        ///< of what crosses at the start, and is left out
+    size_t exempt_crossings; ///< intersections in them
 } tf_resolved;
 
 /// What it took to remesh a surface.
@@ -32,6 +34,10 @@ typedef struct tf_untangled {
     tf_untangle_report report;
     double seconds;
 } tf_untangled;
+
+/// Sets what was done; the names of the rungs stay where it is.
+void tf_untangled_set(tf_untangled *untangled, const tf_untangled_frame *done,
+                      double seconds);
 
 /// Their fields, and those of a tf_weld_report.
 extern const tf_field tf_resolved_fields[], tf_remeshed_fields[],

@@ -1,23 +1,26 @@
 //: Include what the command resolve needs
 #include "files/masses.h"
 #include "program/command.h"
-#include "program/mesh_output.h"
 #include "program/progress.h"
 #include "program/reports.h"
 #include "program/response_request.h"
 #include "program/scene_resolving.h"
+#include "program/surface_output.h"
 #include "response/resolve.h"
 #include "scenes/flaws.h"
 #include "scenes/frames.h"
 #include "scenes/scene_file.h"
 #include "threads/threads.h"
+#include "untangle/tangled_zones.h"
 #include "writers/collection.h"
 #include "writers/contact_points.h"
+#include "writers/mesh_output.h"
 #include "writers/vtp_writer.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 //: Hold what resolve does
 typedef struct resolving {
@@ -28,6 +31,8 @@ typedef struct resolving {
     tf_source source;     ///< that, too
     double *inverse_mass; ///< NULL: 1 for all
     double *friction;     ///< of each vertex, or NULL
+    int *zone;            ///< of each facet, or NULL
+    tf_crossing *exempt;  ///< intersections in zones
     tf_resolver *resolver;
     tf_resolved done;
     tf_destination out;
@@ -75,6 +80,45 @@ static bool read_friction(resolving *r)
     return tf_friction_read(path, vertices, r->friction, &r->frames.fault);
 }
 
+//: Find the zones of what crosses at the start
+static bool keep_crossings(resolving *r, const tf_crossings *found)
+{
+    r->exempt = malloc((found->count + 1) * sizeof *r->exempt);
+    r->done.exempt_crossings = found->count;
+    if (r->exempt && found->count > 0)
+        memcpy(r->exempt, found->crossing, found->count * sizeof *r->exempt);
+    return r->exempt || tf_status_fault(&r->frames.file[0], TF_OUT_OF_MEMORY);
+}
+
+static bool allocate_zones(resolving *r)
+{
+    int facets;
+    if (r->frames.axes == 2)
+        tf_surface_edges(r->frames.surface, &facets);
+    else
+        tf_surface_triangles(r->frames.surface, &facets);
+    r->zone = malloc(((size_t)facets + 1) * sizeof *r->zone);
+    return r->zone || tf_status_fault(&r->frames.file[0], TF_OUT_OF_MEMORY);
+}
+
+/// If they are to be left out.
+static bool find_zones(resolving *r)
+{
+    tf_motion motion = tf_frames_motion(&r->frames);
+    tf_check_options how = {.parallel = tf_threads_parallel(r->threads)};
+    tf_crossings found;
+    tf_error error;
+    if (!r->request->exempt_crossings)
+        return true;
+    if (!allocate_zones(r))
+        return false;
+    tf_status status =
+        tf_surface_zones(r->frames.surface, motion.vertices, motion.start, 0,
+                         &how, r->zone, &r->done.exempt_zones, &found, &error);
+    return status == TF_OK ? keep_crossings(r, &found)
+                           : tf_error_fault(&r->frames.file[0], &error);
+}
+
 //: Resolve the step between two frames
 static tf_response_options options_of(resolving *r)
 {
@@ -82,6 +126,7 @@ static tf_response_options options_of(resolving *r)
     how.check_start = true;
     how.parallel = tf_threads_parallel(r->threads);
     how.vertex_friction = r->friction;
+    how.zone = r->zone;
     return how;
 }
 
@@ -107,7 +152,7 @@ static bool resolve(resolving *r)
 {
     tf_status status = tf_resolver_create(r->frames.surface, &r->resolver);
     bool good = status == TF_OK
-                    ? respond(r)
+                    ? find_zones(r) && respond(r)
                     : tf_status_fault(tf_frames_file(&r->frames), status);
     tf_frames_change(&r->frames);
     return good;
@@ -159,6 +204,18 @@ static bool show(resolving *r)
     return good && tf_collection_end(&r->shown);
 }
 
+/// Lists what was left out, where the mesh is not.
+static bool list_exempt(resolving *r)
+{
+    bool taken = tf_destination_is_standard(r->request->out);
+    tf_crossings left_out = {r->done.exempt_crossings, r->exempt};
+    return left_out.count == 0 ||
+           tf_surface_output_append(taken ? stderr : stdout,
+                                    *r->request->format, &r->frames.file[0],
+                                    r->request->operand[0], &left_out) ||
+           tf_fault_set_unwritten(&r->frames.fault, "the list", errno);
+}
+
 static bool write_shown(resolving *r, const tf_mesh_content *content,
                         const tf_mesh_report *report)
 {
@@ -177,8 +234,9 @@ static bool write(resolving *r)
     tf_mesh_report report = {*r->request->format, tf_resolved_fields, &r->done};
     bool clear = r->done.report.first_contacts + r->done.report.first_near == 0;
     r->done.status = clear ? "clear" : "resolved";
-    return r->shows ? write_shown(r, &content, &report)
-                    : tf_mesh_output_write(&r->out, &content, end, &report);
+    return (r->shows ? write_shown(r, &content, &report)
+                     : tf_mesh_output_write(&r->out, &content, end, &report)) &&
+           list_exempt(r);
 }
 
 static bool do_all(resolving *r)
@@ -200,6 +258,8 @@ static void free_all(resolving *r)
     tf_resolver_free(r->resolver);
     free(r->inverse_mass);
     free(r->friction);
+    free(r->zone);
+    free(r->exempt);
     tf_frames_free(&r->frames);
     tf_columns_free(&r->columns);
     tf_source_free(&r->source);
@@ -236,6 +296,8 @@ static void check_scene(tf_request *request)
             tf_request_refuse(request,
                               "--%s is for two meshes; write '%s' in the scene",
                               lists[i], keys[i]);
+    if (request->exempt_crossings)
+        tf_request_refuse(request, "--exempt-crossings is for two meshes");
     if (tf_destination_is_standard(request->out))
         tf_request_refuse(request, "--output must be a folder for the frames "
                                    "of a scene, got '-'");

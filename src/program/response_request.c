@@ -1,17 +1,7 @@
 //: Include what requested responses need
 #include "program/response_request.h"
 
-#include <stdio.h>
-
 //: Take the response from the command line
-static bool show_stage(void *context, const tf_stage *stage)
-{
-    char things[64];
-    snprintf(things, sizeof things, "%s", stage->name);
-    tf_progress_line_show(context, (long)stage->done, things);
-    return true;
-}
-
 /// To the library, a separation of 0 is the usual one, and a negative one none.
 tf_response_options tf_response_requested(const tf_request *wanted,
                                           tf_progress_line *progress)
@@ -25,7 +15,7 @@ tf_response_options tf_response_requested(const tf_request *wanted,
         .restitution = wanted->restitution,
         .substeps = wanted->substeps,
         .friction = wanted->friction,
-        .progress = show_stage,
+        .progress = tf_progress_line_show_stage,
         .context = progress,
         .restitution_threshold = wanted->restitution_threshold,
         .thickness = wanted->thickness,

@@ -1,25 +1,18 @@
 //: Include what resolving a scene needs
-#define _POSIX_C_SOURCE 200809L // rmdir
 #include "program/scene_resolving.h"
 
-#include "files/folder.h"
-#include "program/mesh_frame.h"
 #include "program/reports.h"
 #include "program/response_request.h"
 #include "response/resolve.h"
 #include "scenes/flaws.h"
-#include "scenes/forecast.h"
 #include "scenes/scene_file.h"
-#include "scenes/scene_frames.h"
+#include "scenes/scene_folder.h"
 #include "scenes/shown_frames.h"
 #include "threads/threads.h"
-#include "writers/endings.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 //: Hold what resolves a scene
 /// A row of the report.
@@ -50,9 +43,7 @@ typedef struct scene_resolving {
     tf_field field[FIELDS];
     bool shows; ///< whether the frames are written for ParaView
     tf_shown_frames shown;
-    bool has_folder;
-    double bytes;                  ///< of the meshes that were written
-    char path[TF_MESH_FRAME_PATH]; ///< of the file at work, which faults name
+    tf_scene_folder folder; ///< otherwise
     tf_contact_points points;
     tf_records records;
     resolved_scene sum;
@@ -60,24 +51,12 @@ typedef struct scene_resolving {
 } scene_resolving;
 
 //: Take masses and friction from the meshes
-static double inverse_mass_of(const tf_scene_mesh *mesh, int vertices)
+static void set_friction(scene_resolving *r, int m)
 {
-    return mesh->role != TF_MOVING ? 0
-           : mesh->mass > 0        ? vertices / mesh->mass
-                                   : 1;
-}
-
-static bool weigh_mesh(scene_resolving *r, int m)
-{
-    const tf_scene_mesh *mesh = &r->meshes.mesh[m];
+    double friction = r->meshes.mesh[m].friction;
     const int *first = r->frames.joined.first_vertex + m;
-    for (int v = first[0]; v < first[1]; v++) {
-        r->inverse_mass[v] = inverse_mass_of(mesh, first[1] - first[0]);
-        r->friction[v] =
-            mesh->friction >= 0 ? mesh->friction : r->request->friction;
-    }
-    return tf_scene_mesh_pin(mesh, r->request->operand[0], first[1] - first[0],
-                             r->inverse_mass + first[0], &r->frames.fault);
+    for (int v = first[0]; v < first[1]; v++)
+        r->friction[v] = friction >= 0 ? friction : r->request->friction;
 }
 
 static bool weigh(scene_resolving *r)
@@ -88,10 +67,10 @@ static bool weigh(scene_resolving *r)
     if (!r->inverse_mass || !r->friction)
         return tf_mesh_file_fault_in_memory(
             tf_scene_frames_file(&r->frames, 0, 1));
-    bool good = true;
-    for (int m = 0; m < r->meshes.count && good; m++)
-        good = weigh_mesh(r, m);
-    return good;
+    for (int m = 0; m < r->meshes.count; m++)
+        set_friction(r, m);
+    return tf_scene_frames_weigh(&r->frames, r->request->operand[0],
+                                 r->inverse_mass);
 }
 
 //: Resolve a step of a scene
@@ -147,47 +126,11 @@ static bool resolve_step(scene_resolving *r, tf_resolved *done)
     return true;
 }
 
-//: Write the frames of a scene
-/// Whether a mesh is not where its frame has it.
-static bool is_displaced(const scene_resolving *r, int m)
-{
-    const tf_doubles *position =
-        &tf_scene_frames_file(&r->frames, m, 1)->position;
-    return memcmp(position->item, tf_scene_frames_positions(&r->frames, m),
-                  position->count * sizeof *position->item) != 0;
-}
-
-/// Writes a frame of a mesh that moves, and of another if that was held back.
-static bool write_mesh(scene_resolving *r, int m)
-{
-    bool moves = r->meshes.mesh[m].role == TF_MOVING;
-    if (!moves && !is_displaced(r, m))
-        return true;
-    tf_mesh_frame frame = {r->request->out, r->meshes.mesh[m].name,
-                           r->frames.count - 1,
-                           tf_scene_frames_file(&r->frames, m, 1),
-                           tf_scene_frames_positions(&r->frames, m)};
-    bool good = tf_mesh_frame_write(&frame, r->path, &r->frames.fault);
-    r->bytes += good ? tf_bytes_of(r->path) : 0;
-    if (good && !moves)
-        fprintf(stderr,
-                "tanglefree: %s was held back in frame %d; %s has its actual "
-                "positions\n",
-                tf_make_visible(r->meshes.mesh[m].name).text,
-                r->frames.count - 1, tf_make_visible(r->path).text);
-    return good;
-}
-
+//: Write the frames of resolved meshes
 static bool write_meshes(scene_resolving *r)
 {
-    bool good = true;
-    if (r->shows)
-        return tf_shown_frames_add(&r->shown, &r->frames, &r->points);
-    for (int m = 0; m < r->meshes.count && good; m++)
-        good = write_mesh(r, m);
-    if (r->frames.count == 1 && good)
-        tf_forecast_frames(r->request->out, r->meshes.frames, r->bytes);
-    return good;
+    return r->shows ? tf_shown_frames_add(&r->shown, &r->frames, &r->points)
+                    : tf_scene_folder_write(&r->folder, &r->frames);
 }
 
 //: Report the steps of a scene
@@ -200,14 +143,6 @@ static const tf_field sum_fields[] = {
     TF_FIELD("seconds", resolved_scene, seconds),
     {0}};
 
-static void list_fields(tf_field field[FIELDS])
-{
-    int i = 0;
-    for (*field++ = step_field; tf_resolved_fields[i].name; i++)
-        field[i] = tf_resolved_fields[i];
-    field[i] = (tf_field){0};
-}
-
 static bool fault_in_report(scene_resolving *r)
 {
     return tf_fault_set_unwritten(&r->frames.fault, "standard output",
@@ -216,7 +151,7 @@ static bool fault_in_report(scene_resolving *r)
 
 static void begin_report(scene_resolving *r)
 {
-    list_fields(r->field);
+    tf_fields_join(r->field, &step_field, tf_resolved_fields);
     tf_records_begin(&r->records, stdout, *r->request->format, "steps",
                      r->field);
 }
@@ -246,24 +181,11 @@ static bool end_report(scene_resolving *r, bool done)
 //: Resolve all steps of a scene
 static bool begin_frames(scene_resolving *r)
 {
-    const char *out = r->request->out, *ending = tf_any_mesh_ending(out);
-    if (r->shows)
-        return tf_shown_frames_begin(&r->shown, out, &r->frames.fault);
-    if (ending)
-        return tf_fault_set(&r->frames.fault, out, -1,
-                            "the frames of a scene need a folder; leave out "
-                            "%s, or end the name in .pvd",
-                            ending);
-    r->has_folder = tf_folder_begin(out, "", &r->frames.fault);
-    return r->has_folder;
-}
-
-static bool has_moving_mesh(const tf_scene_meshes *meshes)
-{
-    int m = 0;
-    while (m < meshes->count && meshes->mesh[m].role != TF_MOVING)
-        m++;
-    return m < meshes->count;
+    const char *out = r->request->out;
+    return r->shows ? tf_shown_frames_begin(&r->shown, out, &r->frames.fault)
+                    : tf_scene_folder_begin(&r->folder, out,
+                                            ", or end the name in .pvd",
+                                            &r->frames.fault);
 }
 
 static bool begin_scene(scene_resolving *r)
@@ -275,11 +197,9 @@ static bool begin_scene(scene_resolving *r)
         return false;
     if (r->meshes.frames < 2)
         return tf_scene_fault_in_frames(&r->meshes, path, &r->frames.fault);
-    if (!has_moving_mesh(&r->meshes))
-        return tf_fault_set(&r->frames.fault, path, -1,
-                            "no mesh is moving, so there is nothing to "
-                            "resolve; let one be, by its role");
-    return tf_scene_frames_next(&r->frames) && weigh(r) && begin_frames(r) &&
+    return tf_scene_check_moving(&r->meshes, path, "resolve",
+                                 &r->frames.fault) &&
+           tf_scene_frames_next(&r->frames) && weigh(r) && begin_frames(r) &&
            write_meshes(r);
 }
 
@@ -304,29 +224,7 @@ static bool do_scene(scene_resolving *r)
     return end_report(r, good) && good;
 }
 
-//: Leave what was done before an error
-static void delete_frames(const scene_resolving *r)
-{
-    for (int i = 0; i < r->frames.count; i++)
-        for (int m = 0; m < r->meshes.count; m++)
-            tf_mesh_frame_delete(
-                &(tf_mesh_frame){r->request->out, r->meshes.mesh[m].name, i,
-                                 tf_scene_frames_file(&r->frames, m, 1), NULL});
-    rmdir(r->request->out);
-}
-
-/// Without a whole step nothing is worth keeping.
-static void leave_frames(const scene_resolving *r)
-{
-    if (r->has_folder && r->sum.steps == 0)
-        delete_frames(r);
-    else if (r->has_folder)
-        fprintf(stderr,
-                "tanglefree: %s has the frames before that; delete it, or "
-                "choose another, to begin again\n",
-                tf_make_visible(r->request->out).text);
-}
-
+//: Run the resolution of a scene
 int tf_scene_resolve(const tf_request *request)
 {
     scene_resolving r = {.request = request,
@@ -336,8 +234,9 @@ int tf_scene_resolve(const tf_request *request)
     tf_threads_create(request->threads, &r.threads);
     bool good = do_scene(&r);
     tf_fault_print(&r.frames.fault, "tanglefree");
+    // Without a whole step nothing is worth keeping.
     if (!good)
-        leave_frames(&r);
+        tf_scene_folder_leave(&r.folder, &r.frames, r.sum.steps > 0);
     tf_resolver_free(r.resolver);
     free(r.inverse_mass);
     free(r.friction);

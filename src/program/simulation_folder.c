@@ -5,11 +5,11 @@
 #include "files/folder.h"
 #include "files/output_file.h"
 #include "program/frame_file.h"
-#include "program/mesh_frame.h"
 #include "program/steps_file.h"
 #include "scenes/forecast.h"
 #include "simulate/filed_scene.h"
 #include "writers/endings.h"
+#include "writers/mesh_frame.h"
 
 #include <dirent.h>
 #include <errno.h>

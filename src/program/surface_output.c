@@ -254,3 +254,28 @@ void tf_surface_output_count(tf_surface_output *output,
         tally->tangled += output->part_rows > 0;
     output->part_rows = 0;
 }
+
+//: List intersections after a report
+bool tf_surface_output_append(FILE *stream, tf_format report,
+                              const tf_mesh_file *file, const char *name,
+                              const tf_crossings *crossings)
+{
+    bool listed = false;
+    tf_joined joined;
+    tf_surface_output output;
+    tf_surface_part part = {
+        .joined = &joined, .name = &name, .listed = &listed};
+    tf_surface_output_options how = {
+        .format = report == TF_JSON ? TF_JSON : TF_CSV, .checks = true};
+    bool good = tf_joined_make(&joined, 1, &file);
+    if (good) {
+        if (report != TF_JSON)
+            fputc('\n', stream);
+        tf_surface_output_begin(&output, stream, &how);
+        good = tf_surface_output_crossings(&output, &part, crossings);
+        tf_surface_output_count(&output, &part);
+        good = tf_surface_output_end(&output, good) && good;
+    }
+    tf_joined_free(&joined);
+    return good;
+}

@@ -68,3 +68,11 @@ bool tf_surface_output_near(tf_surface_output *output,
                             const tf_near_pairs *pairs);
 void tf_surface_output_count(tf_surface_output *output,
                              const tf_surface_part *part);
+
+//: Declare how to list intersections after a report
+/// Lists the intersections of a file, which rows call `name`, after a report in
+/// that format: after an empty line, as CSV; or in JSON, as an object.  False:
+/// a write failed, or there is no memory.
+bool tf_surface_output_append(FILE *stream, tf_format report,
+                              const tf_mesh_file *file, const char *name,
+                              const tf_crossings *crossings);

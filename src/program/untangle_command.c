@@ -1,269 +1,164 @@
 //: Include what the command untangle needs
 #include "files/masses.h"
 #include "program/command.h"
-#include "program/mesh_output.h"
+#include "program/left_list.h"
 #include "program/progress.h"
 #include "program/reports.h"
-#include "program/surface_output.h"
-#include "response/resolver.h"
-#include "scenes/flaws.h"
-#include "scenes/frames.h"
+#include "program/scene_untangling.h"
+#include "scenes/scene_file.h"
 #include "threads/threads.h"
-#include "untangle/untangle.h"
+#include "writers/collection.h"
+#include "writers/mesh_output.h"
 
-#include <errno.h>
 #include <stdlib.h>
-#include <string.h>
 
 //: Hold what untangle does
 typedef struct untangling {
     const tf_request *request;
     tf_threads *threads;
-    tf_frames frames;
-    tf_columns columns; ///< what the vertices of the file have
-    tf_source source;   ///< the file itself
-    bool *fixed;        ///< of each vertex, or NULL
-    double *in, *best;  ///< positions: the file's, and those with the fewest
-                        ///< intersections
+    tf_scene_meshes meshes; ///< one
+    tf_scene_frames frames; ///< one
+    tf_columns columns;     ///< what the vertices of the file have
+    double *inverse_mass;   ///< of each vertex: 0 if it is fixed, or 1
     tf_untangled done;
+    tf_left_list left;
     tf_destination out;
     tf_progress_line progress;
 } untangling;
 
 static const tf_mesh_file *file_of(const untangling *u)
 {
-    return tf_frames_file(&u->frames);
+    return tf_scene_frames_file(&u->frames, 0, 1);
+}
+
+//: Read the mesh to untangle
+static bool read(untangling *u)
+{
+    const char *path = u->request->operand[0];
+    tf_scene_mesh *mesh = tf_scene_meshes_add(&u->meshes);
+    if (!mesh || !tf_frame_names_add(&mesh->frames, path))
+        return tf_fault_set(&u->frames.fault, path, -1, "%s",
+                            tf_status_message(TF_OUT_OF_MEMORY));
+    u->meshes.frames = 1;
+    u->frames.columns = &u->columns;
+    u->frames.keeps_sources = true;
+    return tf_scene_frames_next(&u->frames);
 }
 
 //: Read the fixed vertices
 static bool read_fixed(untangling *u)
 {
-    size_t vertices = (size_t)tf_mesh_file_vertices(file_of(u));
-    if (!u->request->fixed)
-        return true;
-    double *mass = malloc((vertices + 1) * sizeof *mass);
-    u->fixed = calloc(vertices + 1, sizeof *u->fixed);
-    bool good = mass && u->fixed;
-    if (!good)
-        tf_mesh_file_fault_in_memory(file_of(u));
-    for (size_t v = 0; v < vertices && good; v++)
-        mass[v] = 1;
-    good = good && tf_fixed_read(u->request->fixed, (int)vertices, mass,
-                                 &u->frames.fault);
-    for (size_t v = 0; v < vertices && good; v++)
-        u->fixed[v] = mass[v] == 0;
-    free(mass);
-    return good;
+    int vertices = tf_mesh_file_vertices(file_of(u));
+    u->inverse_mass = malloc(((size_t)vertices + 1) * sizeof(double));
+    if (!u->inverse_mass)
+        return tf_mesh_file_fault_in_memory(file_of(u));
+    for (int v = 0; v < vertices; v++)
+        u->inverse_mass[v] = 1;
+    return !u->request->fixed ||
+           tf_fixed_read(u->request->fixed, vertices, u->inverse_mass,
+                         &u->frames.fault);
 }
 
-//: Show the progress of untangling
-static bool show_progress(void *context, const tf_stage *stage)
-{
-    char things[64];
-    snprintf(things, sizeof things, "%s", stage->name);
-    tf_progress_line_show(context, (long)stage->done, things);
-    return true;
-}
-
-//: Untangle the surface of a file
-static size_t bytes_of(const untangling *u)
-{
-    tf_motion rest = tf_frames_motion(&u->frames);
-    return (size_t)rest.axes * (size_t)rest.vertices * sizeof(double);
-}
-
-/// From the positions of the file, with the triangles that its polygons have by
-/// now.
-static bool untangle(untangling *u, tf_untangle_report *report)
+//: Untangle the mesh
+static bool untangle(untangling *u)
 {
     tf_untangle_options how = {.size = sizeof how,
-                               .fixed = u->fixed,
                                .parallel = tf_threads_parallel(u->threads),
-                               .progress = show_progress,
+                               .progress = tf_progress_line_show_stage,
                                .context = &u->progress};
-    tf_motion rest = tf_frames_motion(&u->frames);
-    tf_resolver *resolver = NULL;
-    tf_error error;
-    tf_status status = tf_resolver_create(u->frames.surface, &resolver);
-    if (status != TF_OK)
-        return tf_status_fault(file_of(u), status);
-    status = tf_untangle(resolver, rest.vertices, u->in,
-                         tf_frames_end(&u->frames), &how, report, NULL, &error);
-    tf_resolver_free(resolver);
-    return status == TF_OK || tf_frames_fault(&u->frames, &error);
+    tf_untangled_frame done;
+    double start = tf_clock_seconds();
+    bool good = tf_untangle_frame(&u->frames, u->inverse_mass, &how, &done);
+    tf_progress_line_end(&u->progress);
+    if (good)
+        tf_untangled_set(&u->done, &done, tf_clock_seconds() - start);
+    return good && tf_left_list_add(&u->left, &u->frames, &done.left);
 }
 
-//: Divide polygons where vertices are now
-static bool count_left(untangling *u, size_t *left)
-{
-    tf_motion rest = tf_frames_motion(&u->frames);
-    tf_check_options how = {.parallel = tf_threads_parallel(u->threads)};
-    tf_crossings found;
-    tf_error error;
-    tf_status status = tf_surface_check(u->frames.surface, rest.vertices,
-                                        rest.end, &how, &found, &error);
-    *left = status == TF_OK ? found.count : 0;
-    return status == TF_OK || tf_frames_fault(&u->frames, &error);
-}
-
-/// Then counts what is left, as it is for those who read the file.
-static bool divide(untangling *u, size_t *left)
-{
-    tf_frames_change(&u->frames);
-    return (tf_mesh_file_polygons(file_of(u)) == 0 ||
-            tf_frames_divide(&u->frames)) &&
-           count_left(u, left);
-}
-
-//: Untangle until the divided polygons are clear
-enum {
-    PASSES = 10
-};
-
-static bool begin(untangling *u)
-{
-    size_t bytes = bytes_of(u);
-    u->in = malloc(bytes + 1);
-    u->best = malloc(bytes + 1);
-    if (!u->in || !u->best)
-        return tf_mesh_file_fault_in_memory(file_of(u));
-    memcpy(u->in, tf_frames_end(&u->frames), bytes);
-    memcpy(u->best, u->in, bytes);
-    return count_left(u, &u->done.before);
-}
-
-/// Each pass untangles with the triangles that the last one has led to.  Without
-/// polygons there is but one.
-static bool untangle_all(untangling *u)
-{
-    size_t least = u->done.before + 1, left = least;
-    int passes = tf_mesh_file_polygons(file_of(u)) > 0 ? PASSES : 1;
-    for (int pass = 0; pass < passes && least > 0; pass++) {
-        tf_untangle_report report;
-        if (!untangle(u, &report) || !divide(u, &left))
-            return false;
-        if (left >= least)
-            continue;
-        least = left;
-        u->done.report = report;
-        memcpy(u->best, tf_frames_end(&u->frames), bytes_of(u));
-    }
-    memcpy(tf_frames_end(&u->frames), u->best, bytes_of(u));
-    return divide(u, &u->done.left);
-}
-
-//: List the intersections that are left
-static bool list_left(untangling *u, FILE *stream, tf_format format)
-{
-    tf_motion rest = tf_frames_motion(&u->frames);
-    const tf_mesh_file *file = file_of(u);
-    const char *name[1] = {u->request->out};
-    bool listed[1] = {false};
-    tf_joined joined;
-    tf_crossings found;
-    tf_surface_output output;
-    tf_surface_part part = {.joined = &joined, .name = name, .listed = listed};
-    tf_surface_output_options how = {.format = format, .checks = true};
-    bool good = tf_joined_make(&joined, 1, &file) &&
-                tf_surface_check(u->frames.surface, rest.vertices, rest.end,
-                                 NULL, &found, NULL) == TF_OK;
-    if (good) {
-        tf_surface_output_begin(&output, stream, &how);
-        good = tf_surface_output_crossings(&output, &part, &found);
-        tf_surface_output_count(&output, &part);
-        good = tf_surface_output_end(&output, good) && good;
-    }
-    tf_joined_free(&joined);
-    return good || tf_fault_set_unwritten(&u->frames.fault, "the list", errno);
-}
-
-/// After the report, and after an empty line unless that is JSON.
-static bool list(untangling *u)
-{
-    tf_format format = *u->request->format;
-    FILE *stream =
-        tf_destination_is_standard(u->request->out) ? stderr : stdout;
-    if (u->done.left == 0)
-        return true;
-    if (format != TF_JSON)
-        fputc('\n', stream);
-    return list_left(u, stream, format == TF_JSON ? TF_JSON : TF_CSV);
-}
-
-//: Name the rungs that moved something
-static void name_rungs(tf_untangled *done)
-{
-    static const char *const names[] = {"push",  "smooth", "again",
-                                        "apart", "relax",  "return"};
-    done->rungs[0] = '\0';
-    for (int i = 0; i < 6; i++)
-        if (done->report.rungs >> i & 1) {
-            strcat(done->rungs, done->rungs[0] ? " " : "");
-            strcat(done->rungs, names[i]);
-        }
-    done->rung_names = done->rungs[0] ? done->rungs : "none";
-}
-
-//: Untangle and write
+//: Write the untangled mesh
+/// What is left is listed behind the report.
 static bool write(untangling *u)
 {
     const tf_mesh_file *file = file_of(u);
     tf_mesh_content content = {.mesh = tf_mesh_file_elements(file, 3),
-                               .position = file->position.item,
+                               .position =
+                                   tf_scene_frames_positions(&u->frames, 0),
                                .columns = &u->columns,
                                .from = file};
     tf_mesh_report report = {*u->request->format, tf_untangled_fields,
                              &u->done};
-    u->done.status = u->done.left > 0     ? "tangled"
-                     : u->done.before > 0 ? "untangled"
-                                          : "clear";
-    name_rungs(&u->done);
-    return tf_mesh_output_write(&u->out, &content, file, &report) && list(u);
+    FILE *stream =
+        tf_destination_is_standard(u->request->out) ? stderr : stdout;
+    return tf_mesh_output_write(&u->out, &content, file, &report) &&
+           tf_left_list_write(&u->left, &u->frames, stream);
 }
 
 static bool do_all(untangling *u)
 {
-    u->frames.columns = &u->columns;
-    u->frames.source = &u->source;
-    if (!tf_frames_next(&u->frames, u->request->operand[0]) || !read_fixed(u) ||
-        !tf_mesh_output_begin(&u->out, u->request->out, file_of(u),
-                              &u->frames.fault) ||
-        !begin(u))
-        return false;
-    double start = tf_clock_seconds();
-    bool good = untangle_all(u);
-    u->done.seconds = tf_clock_seconds() - start;
-    tf_progress_line_end(&u->progress);
-    return good && write(u);
+    const tf_request *request = u->request;
+    const char *name[] = {request->out};
+    return read(u) && read_fixed(u) &&
+           tf_mesh_output_begin(&u->out, request->out, file_of(u),
+                                &u->frames.fault) &&
+           tf_left_list_begin(&u->left, &u->frames, *request->format,
+                              TF_NAMES_OF_FILE, name) &&
+           untangle(u) && write(u);
 }
 
 //: Run the command untangle
-static int run(const tf_request *request)
+static int untangle_mesh(const tf_request *request)
 {
     untangling u = {.request = request,
                     .progress = tf_progress_line_begin(true)};
+    u.frames.meshes = &u.meshes;
     tf_threads_create(request->threads, &u.threads);
     bool good = do_all(&u);
     tf_fault_print(&u.frames.fault, "tanglefree");
     tf_destination_end(&u.out);
-    free(u.fixed);
-    free(u.in);
-    free(u.best);
-    tf_frames_free(&u.frames);
+    tf_left_list_free(&u.left);
+    free(u.inverse_mass);
+    tf_scene_frames_free(&u.frames);
+    tf_scene_meshes_free(&u.meshes);
     tf_columns_free(&u.columns);
-    tf_source_free(&u.source);
     tf_threads_free(u.threads);
     return !good ? 2 : u.done.left > 0;
+}
+
+static int run(const tf_request *request)
+{
+    return tf_is_scene(request->operand[0]) ? tf_scene_untangle(request)
+                                            : untangle_mesh(request);
+}
+
+//: Refuse what does not go with an untangled scene
+static void check_operand(tf_request *request)
+{
+    const char *out = request->out;
+    bool shows = tf_is_collection(out);
+    if (!tf_is_scene(request->operand[0]))
+        return;
+    if (tf_request_gave(request, "fixed"))
+        tf_request_refuse(request, "--fixed is for a mesh; write 'role: fixed' "
+                                   "or 'pinned:' in the scene");
+    if (shows || tf_destination_is_standard(out))
+        tf_request_refuse(
+            request,
+            "--output must be a folder for the frames of a scene, got '%s'%s",
+            tf_make_visible(out).text,
+            shows ? "; only detect and resolve write collections for ParaView"
+                  : "");
 }
 
 const tf_command tf_untangle_command = {
     .set = TF_UNTANGLE,
     .name = "untangle",
     .purpose = "make a mesh clear that intersects itself",
-    .operands = "IN",
+    .operands = "IN\nSCENE",
     .least = 1,
     .most = 1,
-    .wanted = "one file is required: IN",
+    .wanted = "one file is required: IN, or a scene, whose name ends in .yaml, "
+              ".yml or .json",
     .description = tf_untangle_description,
+    .check = check_operand,
     .run = run,
 };

@@ -1,13 +1,13 @@
 //: Include what the command weld needs
 #include "formats/mesh_reader.h"
 #include "program/command.h"
-#include "program/mesh_output.h"
 #include "program/reports.h"
 #include "scenes/coincident.h"
 #include "scenes/joined.h"
 #include "scenes/remarks.h"
 #include "scenes/weld.h"
 #include "writers/joined_writer.h"
+#include "writers/mesh_output.h"
 
 #include <stdlib.h>
 

@@ -32,10 +32,10 @@ static bool split_for_shape(tf_remesher *remesher, int corner, int refused,
     const int end[] = {tf_vertex_at(surface, corner),
                        tf_vertex_at(surface, tf_corner_after(corner))};
     *position = tf_middle_of(surface, end[0], end[1]);
-    *position = is_sharp(remesher, corner)
-                    ? tf_trace_sharp_point(&remesher->trace, surface, end,
-                                           *position)
-                    : project(remesher, *position);
+    *position =
+        is_sharp(remesher, corner)
+            ? tf_trace_sharp_point(&remesher->trace, surface, end, *position)
+            : project(remesher, *position);
     return true;
 }
 
@@ -54,7 +54,8 @@ static bool collapse_for_shape(tf_remesher *remesher, int corner,
     const tf_sharp_edges *sharp = &remesher->sharp;
     bool may_go =
         tf_collapse_freer(surface, sharp, corner, least_length, collapse);
-    if (tf_freedom_of(sharp, a) == TF_FREE && tf_freedom_of(sharp, b) == TF_FREE)
+    if (tf_freedom_of(sharp, a) == TF_FREE &&
+        tf_freedom_of(sharp, b) == TF_FREE)
         collapse->position = project(remesher, tf_middle_of(surface, a, b));
     return may_go;
 }

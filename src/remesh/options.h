@@ -32,8 +32,8 @@ typedef struct tf_remesh_report {
     double least_after; ///< the same of the new surface
     double mean_before; ///< the mean quality of the triangles before
     double mean_after;  ///< the same of the new surface
-    double distance; ///< the greatest that was found from a point of the new
-                     ///< surface to the old one, or from the old to the new
+    double distance;    ///< the greatest that was found from a point of the new
+                        ///< surface to the old one, or from the old to the new
     double most_distance; ///< no point of either surface is farther from the
                           ///< other one, up to rounding
 } tf_remesh_report;

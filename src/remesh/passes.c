@@ -43,9 +43,8 @@ static tf_status try_split(tf_remesher *remesher, const tf_edge_row *edge,
     if (*outcome != TF_COMMITTED)
         return TF_OK;
     status = split_sharp(remesher, edge, vertex, sharp);
-    return status == TF_OK
-               ? trace(remesher, vertex, edge->a, edge->b, sharp)
-               : status;
+    return status == TF_OK ? trace(remesher, vertex, edge->a, edge->b, sharp)
+                           : status;
 }
 
 //: Split a long edge
@@ -136,8 +135,7 @@ static tf_status collapse_edge(tf_remesher *remesher, const tf_edge_row *edge)
     const tf_adaptive_surface *surface = remesher->surface;
     int corner = tf_find_edge(surface, edge->a, edge->b);
     tf_edge_collapse wanted;
-    if (corner == TF_NONE ||
-        ratio_of(remesher, edge) > edge->ratio ||
+    if (corner == TF_NONE || ratio_of(remesher, edge) > edge->ratio ||
         !remesher->policy->choose_collapse(remesher, corner, &wanted) ||
         !is_good(remesher, &wanted))
         return TF_OK;

@@ -9,7 +9,7 @@
 enum {
     MOST_CUTS = 24,                   ///< one inside the other
     MOST_CORNERS = 3 + 2 * MOST_CUTS, ///< a cut adds two at most
-    MOST_PIECES = 20000           ///< of a triangle
+    MOST_PIECES = 20000               ///< of a triangle
 };
 
 /// A convex piece of a triangle.
@@ -77,8 +77,8 @@ static bool find_edge(const piece *whole, const tf_shape *below,
     tf_vector normal = tf_shape_normal(below);
     double farthest = 0;
     for (int i = 0; i < 3; i++) {
-        tf_vector along = tf_vector_difference(below->corner[(i + 1) % 3],
-                                               below->corner[i]);
+        tf_vector along =
+            tf_vector_difference(below->corner[(i + 1) % 3], below->corner[i]);
         tf_vector out = tf_vector_cross(along, normal);
         cut_plane edge = {below->corner[i],
                           tf_vector_scaled(1 / tf_vector_length(out), out)};

@@ -50,8 +50,8 @@ static tf_status measure_distance(tf_remesher *remesher, double fine)
                    (size_t)before->triangles + (size_t)after->triangles);
     tf_status status = tf_original_begin(&now, after, watch);
     if (status == TF_OK) {
-        tf_reach forth = tf_surface_reach(&remesher->original, after, fine,
-                                          NULL, watch);
+        tf_reach forth =
+            tf_surface_reach(&remesher->original, after, fine, NULL, watch);
         tf_reach back = tf_surface_reach(&now, before, fine, NULL, watch);
         remesher->report.distance =
             fmax(forth.least, back.least) / after->scale;
@@ -137,8 +137,8 @@ static tf_status do_bounded_rounds(tf_remesher *remesher, tf_sizes *sizes,
     for (int i = 0; i < rounds && status == TF_OK; i++) {
         status = do_round(remesher);
         if (status == TF_OK)
-            status = tf_sizes_adapt(sizes, remesher, error, 2 * i >= rounds,
-                                    &most);
+            status =
+                tf_sizes_adapt(sizes, remesher, error, 2 * i >= rounds, &most);
     }
     return status == TF_OK ? refine(remesher, sizes, error, most) : status;
 }
@@ -155,9 +155,9 @@ static tf_status do_all(tf_remesher *remesher, tf_sizes *sizes,
         status = measure_quality(remesher->surface, &report->least_before,
                                  &report->mean_before);
     if (status == TF_OK)
-        status = error > 0
-                     ? do_bounded_rounds(remesher, sizes, options->rounds, error)
-                     : do_rounds(remesher, options->rounds);
+        status = error > 0 ? do_bounded_rounds(remesher, sizes, options->rounds,
+                                               error)
+                           : do_rounds(remesher, options->rounds);
     if (status == TF_OK)
         status = measure_quality(remesher->surface, &report->least_after,
                                  &report->mean_after);

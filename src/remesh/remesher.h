@@ -14,14 +14,14 @@ typedef struct tf_remesh_policy tf_remesh_policy;
 typedef struct tf_remesher {
     tf_adaptive_surface *surface; ///< with the watch over the call
     const tf_remesh_policy *policy;
-    double edge;              ///< the target length, or the greatest one
-    const double *target;     ///< the target length at each vertex of the
-                              ///< original; NULL: `edge` everywhere
-    tf_original original;     ///< empty unless the policy needs one
-    tf_projection projection; ///< to it, the last one
-    tf_sharp_edges sharp;     ///< of the surface, by now
+    double edge;                 ///< the target length, or the greatest one
+    const double *target;        ///< the target length at each vertex of the
+                                 ///< original; NULL: `edge` everywhere
+    tf_original original;        ///< empty unless the policy needs one
+    tf_projection projection;    ///< to it, the last one
+    tf_sharp_edges sharp;        ///< of the surface, by now
     tf_sharp_edges sharp_before; ///< of the original
-    tf_trace trace;           ///< to it
+    tf_trace trace;              ///< to it
     tf_remesh_report report;
     size_t restored[TF_OUTCOMES]; ///< moves that were to restore volume
     tf_buffer map;                ///< of vertices, when gaps are closed

@@ -135,15 +135,14 @@ static void note_forth(tf_sizes *sizes, tf_remesher *remesher, double fine,
     const tf_adaptive_surface *after = remesher->surface;
     const tf_origin *origin = remesher->trace.origin.data;
     double *error = sizes->error.data, *worst = sizes->worst.data;
-    tf_reach all = tf_surface_reach(&remesher->original, after, fine, error,
-                                    after->watch);
+    tf_reach all =
+        tf_surface_reach(&remesher->original, after, fine, error, after->watch);
     *most = fmax(*most, all.most);
     for (int c = 0; c < 3 * after->triangles; c++) {
         if (!tf_is_triangle(after, c / 3))
             continue;
-        const int *from =
-            tf_triangle(remesher->original.surface,
-                        origin[tf_vertex_at(after, c)].triangle);
+        const int *from = tf_triangle(remesher->original.surface,
+                                      origin[tf_vertex_at(after, c)].triangle);
         for (int i = 0; i < 3; i++)
             worst[from[i]] = fmax(worst[from[i]], error[c / 3]);
     }

@@ -20,12 +20,12 @@ typedef struct tf_resolver {
     tf_failsafe failsafe;
     tf_follow follow;
     tf_answer_list answers;
-    tf_buffer origin; ///< where a step started that may be answered again
-    bool has_origin;  ///< the last step may be
-    tf_buffer part;   ///< of a part of the step: where vertices start, are
-                      ///< proposed to end, and would be when the step ends
-    tf_buffer flags;  ///< a byte for each vertex, see tf_vertex_flag; and once
-                      ///< more, of a part of the step
+    tf_buffer origin;    ///< where a step started that may be answered again
+    size_t origin_bytes; ///< of it; 0: the last step may not be
+    tf_buffer part;      ///< of a part of the step: where vertices start, are
+                         ///< proposed to end, and would be when the step ends
+    tf_buffer flags; ///< a byte for each vertex, see tf_vertex_flag; and once
+                     ///< more, of a part of the step
     tf_buffer
         followed;      ///< the fraction of its script that each vertex followed
     bool has_resolved; ///< the last call has resolved a step

@@ -7,6 +7,7 @@
 #include "response/choices.h"
 #include "response/levels.h"
 #include "response/start.h"
+#include "surface/filtered_join.h"
 
 #include <math.h>
 #include <string.h>
@@ -116,7 +117,10 @@ tf_status tf_step_limit(tf_resolver *resolver, int vertices,
     tf_workers *workers = &resolver->surface->workers;
     tf_watch watch,
         *outer = tf_workers_watch(workers, &watch, own.progress, own.context);
-    status = limit(resolver, start, end, &own, halvings, error);
+    status = tf_surface_enter_zones(resolver->surface, own.zone)
+                 ? limit(resolver, start, end, &own, halvings, error)
+                 : tf_fail(error, TF_OUT_OF_MEMORY);
+    tf_surface_leave_zones(resolver->surface);
     workers->watch = outer;
     return status;
 }

@@ -20,8 +20,8 @@
 /// @param start where they start, `axes` coordinates each; free of intersections
 /// @param[in,out] end in: where they should end; out, only with TF_OK: start +
 ///     2^-k (end - start), rounded, such that no two elements meet on the way
-/// @param options only check_start, narrow_phase, parallel, progress and
-///     context are used; NULL: all zero
+/// @param options only check_start, narrow_phase, parallel, progress, context
+///     and zone are used; NULL: all zero
 /// @param[out] halvings the least such k; or -1 if nothing moves any more, and
 ///     `end` equals `start`
 /// @param[out] error what is wrong, if anything; may be NULL

@@ -156,6 +156,11 @@ typedef struct tf_response_options {
     int again; ///< not 0: the last call for the resolver may have answered a step
         ///< from the same start, with one of these two options, and if so,
         ///< this one begins with the pairs that it looked at
+
+    /// Of each triangle, in the plane of each edge, its zone: pairs within one
+    /// are left out, see tf_detect_options, and may be tangled at the start.
+    /// NULL: no pair is left out.
+    const int *zone;
 } tf_response_options;
 
 /// @}

@@ -7,6 +7,7 @@
 #include "response/choices.h"
 #include "response/levels.h"
 #include "response/start.h"
+#include "surface/filtered_join.h"
 
 #include <math.h>
 #include <string.h>
@@ -97,37 +98,54 @@ static tf_status count_near_at_start(tf_resolution *r, tf_error *error)
 
 //: Remember where a step starts
 /// What has to be the same if a step is to be answered again.
+enum {
+    ORIGIN_PARTS = 3
+};
+
 typedef struct step_origin {
-    const void *part[2];
-    size_t bytes[2];
+    const void *part[ORIGIN_PARTS];
+    size_t bytes[ORIGIN_PARTS], all;
 } step_origin;
 
-static step_origin origin_of(const tf_step *step)
+static step_origin origin_of(const tf_resolution *r)
 {
-    size_t vertices = (size_t)step->vertices;
-    return (step_origin){{step->start, step->inverse_mass},
-                         {sizeof(double) * (size_t)step->axes * vertices,
-                          sizeof(double) * vertices}};
+    const tf_step *step = &r->step;
+    const tf_surface *surface = r->resolver->surface;
+    size_t vertices = (size_t)step->vertices,
+           positions = sizeof(double) * (size_t)step->axes * vertices,
+           masses = sizeof(double) * vertices,
+           facets = (size_t)(step->axes == 2 ? surface->edges.count
+                                             : surface->triangles.count),
+           zones = r->options.zone ? sizeof(int) * facets : 0;
+    return (step_origin){{step->start, step->inverse_mass, r->options.zone},
+                         {positions, masses, zones},
+                         positions + masses + zones};
 }
 
-static bool note_origin(tf_resolver *resolver, const tf_step *step)
+static bool note_origin(tf_resolution *r)
 {
-    step_origin own = origin_of(step);
-    if (!tf_buffer_reserve(&resolver->origin, own.bytes[0] + own.bytes[1], 1))
+    tf_resolver *resolver = r->resolver;
+    step_origin own = origin_of(r);
+    if (!tf_buffer_reserve(&resolver->origin, own.all, 1))
         return false;
-    memcpy(resolver->origin.data, own.part[0], own.bytes[0]);
-    memcpy((char *)resolver->origin.data + own.bytes[0], own.part[1],
-           own.bytes[1]);
+    char *noted = resolver->origin.data;
+    for (int i = 0; i < ORIGIN_PARTS; noted += own.bytes[i++])
+        if (own.bytes[i] > 0)
+            memcpy(noted, own.part[i], own.bytes[i]);
+    resolver->origin_bytes = own.all;
     return true;
 }
 
-static bool has_origin(const tf_resolver *resolver, const tf_step *step)
+static bool has_origin(const tf_resolution *r)
 {
-    step_origin own = origin_of(step);
+    const tf_resolver *resolver = r->resolver;
+    step_origin own = origin_of(r);
     const char *noted = resolver->origin.data;
-    return resolver->has_resolved && resolver->has_origin &&
-           memcmp(noted, own.part[0], own.bytes[0]) == 0 &&
-           memcmp(noted + own.bytes[0], own.part[1], own.bytes[1]) == 0;
+    bool same = resolver->has_resolved && resolver->origin_bytes == own.all;
+    for (int i = 0; i < ORIGIN_PARTS && same; noted += own.bytes[i++])
+        same =
+            own.bytes[i] == 0 || memcmp(noted, own.part[i], own.bytes[i]) == 0;
+    return same;
 }
 
 //: Detect what the proposal does
@@ -142,8 +160,7 @@ static bool is_finite(const tf_step *step)
 /// Whether the pairs that the resolver keeps are of this step.
 static bool keeps_pairs(const tf_resolution *r)
 {
-    return r->options.again && has_origin(r->resolver, &r->step) &&
-           is_finite(&r->step);
+    return r->options.again && has_origin(r) && is_finite(&r->step);
 }
 
 static tf_status begin(tf_resolution *r, tf_error *error)
@@ -463,8 +480,8 @@ static tf_status run(tf_resolution *r, double end[], tf_error *error)
         find_motion(r);
     write_report(r);
     bool may_return = r->parts == 1 && (r->options.draft || r->options.again);
-    r->resolver->has_origin = may_return;
-    if (may_return && !note_origin(r->resolver, &r->step))
+    r->resolver->origin_bytes = 0;
+    if (may_return && !note_origin(r))
         return tf_fail(error, TF_OUT_OF_MEMORY);
     memcpy(end, r->step.end, sizeof *end * (size_t)r->step.axes * vertices);
     return TF_OK;
@@ -482,7 +499,10 @@ static tf_status watch_and_run(tf_resolution *r, double end[], tf_error *error)
     if (status == TF_OK) {
         surface->inverse_mass =
             has_scripted(&r->step) ? r->step.inverse_mass : NULL;
-        status = run(r, end, error);
+        status = tf_surface_enter_zones(surface, r->options.zone)
+                     ? run(r, end, error)
+                     : tf_fail(error, TF_OUT_OF_MEMORY);
+        tf_surface_leave_zones(surface);
         surface->inverse_mass = NULL;
     }
     surface->workers.watch = outer;

@@ -28,6 +28,11 @@
 /// more than one of their five vertices is free, and in the plane two edges if
 /// no more than one of their four is.
 ///
+/// With `zone`, pairs of which all triangles at both elements are in one zone
+/// are left out: they may meet, and may be tangled at the start.  Two triangles
+/// without a common vertex that are not both in one zone start and end apart,
+/// as do an edge of no triangle and a triangle, and in the plane two edges.
+///
 /// Scripted vertices end where they are proposed to, bit for bit, unless
 /// something free stops them that cannot give way, such as a sheet upon which
 /// two plates close.  Those that are stopped together go the same fraction of
@@ -59,9 +64,9 @@
 /// those are looked at that the proposal brings near each other.  So its end need
 /// not be clear, unless there were no contacts and it was no answer `again`; a
 /// thickness may be missed, and nothing is held back.  An answer `again` from
-/// the same start, bit for bit, with the same masses and filter, to a draft or
-/// to another such answer, looks at the pairs of that one first, which is
-/// faster.  What it promises is what any answer does, but where vertices end
+/// the same start, bit for bit, with the same masses, zones and filter, to a
+/// draft or to another such answer, looks at the pairs of that one first, which
+/// is faster.  What it promises is what any answer does, but where vertices end
 /// may depend on the answers before.
 ///
 /// Time and memory grow about in proportion to the contacts of all rounds.  These

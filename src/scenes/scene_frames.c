@@ -45,7 +45,8 @@ static bool read_file(tf_scene_frames *frames, int mesh)
     tf_source *source = renew_source(frames, mesh);
     tf_mesh_file_free(file);
     if (!tf_mesh_file_read_all(file, tf_scene_mesh_path(own, frames->count),
-                               NULL, source, &frames->fault))
+                               mesh == 0 ? frames->columns : NULL, source,
+                               &frames->fault))
         return false;
     tf_remarks_print(file);
     return frames->count == 0 ||
@@ -284,6 +285,49 @@ void tf_scene_frames_change(tf_scene_frames *frames)
         memcpy(x + 3 * v, flat + 2 * v, 2 * sizeof *flat);
 }
 
+//: Divide the polygons of a changed scene
+static bool divide_mesh(tf_scene_frames *frames, int mesh)
+{
+    tf_mesh_file *file = &frames->file[mesh][frames->current];
+    memcpy(file->position.item, tf_scene_frames_positions(frames, mesh),
+           file->position.count * sizeof *file->position.item);
+    return tf_mesh_file_divide(file);
+}
+
+bool tf_scene_frames_divide(tf_scene_frames *frames)
+{
+    bool good = true;
+    for (int m = 0; m < frames->meshes->count && good; m++)
+        good = divide_mesh(frames, m);
+    tf_surface_free(frames->surface);
+    frames->surface = NULL;
+    return good && make_scene_surface(frames);
+}
+
+//: Weigh the vertices of a scene
+static double inverse_mass_of(const tf_scene_mesh *mesh, int vertices)
+{
+    return mesh->role != TF_MOVING ? 0
+           : mesh->mass > 0        ? vertices / mesh->mass
+                                   : 1;
+}
+
+bool tf_scene_frames_weigh(tf_scene_frames *frames, const char *path,
+                           double inverse_mass[])
+{
+    bool good = true;
+    for (int m = 0; m < frames->meshes->count && good; m++) {
+        const tf_scene_mesh *mesh = &frames->meshes->mesh[m];
+        int first = frames->joined.first_vertex[m];
+        int vertices = frames->joined.first_vertex[m + 1] - first;
+        for (int v = 0; v < vertices; v++)
+            inverse_mass[first + v] = inverse_mass_of(mesh, vertices);
+        good = tf_scene_mesh_pin(mesh, path, vertices, inverse_mass + first,
+                                 &frames->fault);
+    }
+    return good;
+}
+
 //: Describe what is wrong with a scene
 bool tf_scene_frames_fault(const tf_scene_frames *frames, const tf_error *error)
 {
@@ -318,5 +362,6 @@ void tf_scene_frames_free(tf_scene_frames *frames)
     }
     *frames = (tf_scene_frames){.meshes = frames->meshes,
                                 .each = frames->each,
+                                .columns = frames->columns,
                                 .keeps_sources = frames->keeps_sources};
 }

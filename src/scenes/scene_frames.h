@@ -13,8 +13,10 @@
 typedef struct tf_scene_frames {
     const tf_scene_meshes *meshes; ///< to be set first; borrowed
     bool each; ///< to be set first: whether no mesh is tested against another
-    bool keeps_sources; ///< to be set first: whether the current files keep
-                        ///< theirs
+    bool keeps_sources;  ///< to be set first: whether the current files keep
+                         ///< theirs
+    tf_columns *columns; ///< to be set first: for those of the first mesh, or
+                         ///< NULL
     tf_mesh_file (*file)[2]; ///< of each mesh: that of the current frame, and
                              ///< that of the one before
     tf_source (*source)[2];  ///< the same, if they are kept
@@ -44,6 +46,18 @@ tf_pair_filter tf_scene_frames_filter(tf_scene_frames *frames);
 /// known before the next frame.
 double *tf_scene_frames_end(tf_scene_frames *frames);
 void tf_scene_frames_change(tf_scene_frames *frames);
+
+/// Gives changed positions to the files of the first frame, divides their
+/// polygons anew, as whoever reads these positions will, and makes the surface
+/// anew.  False: there is a fault.
+bool tf_scene_frames_divide(tf_scene_frames *frames);
+
+/// Sets the inverse masses of all vertices: 0 for those that go where their
+/// frames say, which are those of meshes that don't move, and pinned ones.
+/// False: there is a fault.
+/// @param path of the scene file, borrowed for the fault
+bool tf_scene_frames_weigh(tf_scene_frames *frames, const char *path,
+                           double inverse_mass[]);
 
 //: Declare the files of a scene
 /// The file of a mesh at the start of the step, 0, or at its end, 1.

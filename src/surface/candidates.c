@@ -133,7 +133,11 @@ tf_status tf_surface_candidates(tf_surface *surface, const tf_motion *motion,
         return status;
     tf_watch watch, *outer = tf_workers_watch(&surface->workers, &watch,
                                               own.progress, own.context);
-    status = find(surface, motion, own.parallel, found, error);
+    status = tf_surface_enter_zones(surface, own.zone)
+                 ? find(surface, motion, own.parallel, found, error)
+                 : tf_fail(error, TF_OUT_OF_MEMORY);
+    if (own.zone)
+        tf_surface_leave_zones(surface);
     surface->workers.watch = outer;
     return status;
 }

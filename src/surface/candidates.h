@@ -34,8 +34,8 @@ typedef struct tf_candidates {
 ///
 /// @param surface the surface
 /// @param motion its vertices at the start and the end of the step
-/// @param options of these the threads and the progress are used; NULL: all
-///     zero
+/// @param options of these the threads, the progress and the zones are used;
+///     NULL: all zero
 /// @param[out] found the candidates, lent until the next call for this surface,
 ///     in the same order for any number of threads; set only with TF_OK
 /// @param[out] error what is wrong, if anything; may be NULL

@@ -62,6 +62,14 @@ typedef struct tf_detect_options {
     const tf_parallel *parallel;         ///< NULL: the caller's thread alone
     tf_progress *progress;               ///< NULL: nothing is told
     void *context;                       ///< passed on to `progress`
+
+    /// The zone in which each triangle of tf_surface_triangles is, or in the
+    /// plane each edge of tf_surface_edges: a number from 0, or -1: none.  A
+    /// pair of elements is left out if all triangles at both of them are in the
+    /// same zone; in the plane, all edges.  Edges and vertices of no triangle
+    /// are in no zone, nor are the ends of such edges.  NULL: no pair is left
+    /// out.  See tf_surface_zones.
+    const int *zone;
 } tf_detect_options;
 
 /// @}

@@ -6,6 +6,7 @@
 #include "arithmetic/functions.h"
 #include "arithmetic/published.h"
 #include "base/sized.h"
+#include "surface/filtered_join.h"
 #include "surface/pairs.h"
 #include "surface/surface_memory.h"
 
@@ -64,6 +65,20 @@ static tf_status detect(tf_surface *surface, tf_pair_job *job,
     return tf_fail(error, tf_pairs_find(surface, job, parallel, found));
 }
 
+//: Detect what is not within zones
+/// Leaves zones that the caller has entered as they are.
+static tf_status detect_outside(tf_surface *surface, const int zone[],
+                                tf_pair_job *job, const tf_parallel *parallel,
+                                tf_contacts *found, tf_error *error)
+{
+    if (!tf_surface_enter_zones(surface, zone))
+        return tf_fail(error, TF_OUT_OF_MEMORY);
+    tf_status status = detect(surface, job, parallel, found, error);
+    if (zone)
+        tf_surface_leave_zones(surface);
+    return status;
+}
+
 //: Read how to detect
 tf_status tf_detect_options_read(tf_detect_options *to,
                                  const tf_detect_options *from, tf_error *error)
@@ -91,7 +106,8 @@ tf_status tf_detect(tf_surface *surface, const tf_motion *motion,
     tf_watch watch,
         *outer = tf_workers_watch(&surface->workers, &watch, options->progress,
                                   options->context);
-    tf_status status = detect(surface, &job, options->parallel, found, error);
+    tf_status status = detect_outside(surface, options->zone, &job,
+                                      options->parallel, found, error);
     surface->workers.watch = outer;
     return status;
 }

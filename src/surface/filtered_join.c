@@ -76,6 +76,89 @@ static bool is_kept_at_rest(const tf_surface *surface, int corners, int others,
     return true;
 }
 
+//: Note the zone of a facet at an element
+enum {
+    NO_ZONE = -1,
+    NO_FACETS = -2 ///< no facet of the element has been looked at
+};
+
+/// Notes that a facet at an element is in a zone, or below 0 in none.
+static void note_zone(int *own, int zone)
+{
+    if (zone < 0 || (*own != NO_FACETS && *own != zone))
+        zone = NO_ZONE;
+    *own = zone;
+}
+
+//: Find an edge in a sorted list
+/// The place of an edge in a sorted list that has it.
+static int find_edge(const tf_elements *edges, int a, int b)
+{
+    int low = 0, high = edges->count - 1;
+    while (low < high) {
+        int middle = low + (high - low) / 2;
+        const int *own = edges->corner + 2 * (ptrdiff_t)middle;
+        if (own[0] < a || (own[0] == a && own[1] < b))
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+//: Find the zones of elements
+static void note_triangles(const tf_surface *surface, const int zone[],
+                           int vertex[], int edge[])
+{
+    const int *corner = surface->triangles.corner;
+    for (int i = 0; i < surface->triangles.count; i++, corner += 3)
+        for (int j = 0; j < 3; j++) {
+            int from = corner[j == 2], to = corner[j == 0 ? 1 : 2];
+            note_zone(&vertex[corner[j]], zone[i]);
+            note_zone(&edge[find_edge(&surface->edges, from, to)], zone[i]);
+        }
+}
+
+/// An edge of no triangle is in no zone, and then nor are its ends.  In the
+/// plane, edges have zones of their own.
+static void note_edges(const tf_surface *surface, const int zone[],
+                       int vertex[], int edge[])
+{
+    const int *corner = surface->edges.corner;
+    for (int i = 0; i < surface->edges.count; i++, corner += 2) {
+        if (surface->axes == 2)
+            note_zone(&edge[i], zone[i]);
+        for (int j = 0; j < 2; j++)
+            if (surface->axes == 2 || edge[i] == NO_FACETS)
+                note_zone(&vertex[corner[j]], edge[i]);
+    }
+}
+
+//: Enter and leave zones
+bool tf_surface_enter_zones(tf_surface *surface, const int zone[])
+{
+    size_t vertices = (size_t)surface->vertices,
+           all = vertices + (size_t)surface->edges.count;
+    if (!zone)
+        return true;
+    if (!tf_buffer_reserve(&surface->zones, all, sizeof(int)))
+        return false;
+    int *vertex = surface->zones.data, *edge = vertex + vertices;
+    for (size_t i = 0; i < all; i++)
+        vertex[i] = NO_FACETS;
+    note_triangles(surface, zone, vertex, edge);
+    note_edges(surface, zone, vertex, edge);
+    surface->zone[0] = vertex;
+    surface->zone[1] = edge;
+    surface->zone[2] = zone;
+    return true;
+}
+
+void tf_surface_leave_zones(tf_surface *surface)
+{
+    surface->zone[0] = surface->zone[1] = surface->zone[2] = NULL;
+}
+
 //: Filter a batch of pairs
 enum {
     FILTER_WORK = 16 ///< units of work that the filter of a pair takes
@@ -85,7 +168,15 @@ typedef struct filter_job {
     const tf_surface *surface;
     int corners, others; ///< of the elements of each pair
     bool simple;         ///< whether a free vertex is all that a pair needs
+    const int *zone, *other_zone; ///< of each element, or NULL
 } filter_job;
+
+/// Whether both elements of a pair are in one zone.
+static bool is_in_zone(const filter_job *job, tf_candidate pair)
+{
+    return job->zone && job->zone[pair.first] >= 0 &&
+           job->zone[pair.first] == job->other_zone[pair.second];
+}
 
 /// Whether a pair passes because the first of its vertices can be moved, and no
 /// more is asked: most pairs do.
@@ -102,6 +193,8 @@ static bool passes(const filter_job *job, tf_candidate pair)
 {
     const tf_surface *surface = job->surface;
     int corners = job->corners, others = job->others, vertex[5];
+    if (is_in_zone(job, pair))
+        return false;
     tf_pair_vertices(surface, corners, others, pair, vertex);
     return corners + others > surface->axes + 1
                ? is_kept_at_rest(surface, corners, others, vertex)
@@ -145,12 +238,15 @@ void tf_surface_join(tf_surface *surface, int corners, int others,
 {
     tf_workers *workers = &surface->workers;
     bool asks = surface->filter.group || surface->filter.wanted;
-    bool filters = asks || surface->inverse_mass;
+    bool zoned = surface->zone[0];
+    bool filters = asks || zoned || surface->inverse_mass;
     filter_job job = {.surface = surface,
                       .corners = corners,
                       .others = others,
-                      .simple = !asks && surface->inverse_mass &&
-                                corners + others <= surface->axes + 1};
+                      .simple = !asks && !zoned && surface->inverse_mass &&
+                                corners + others <= surface->axes + 1,
+                      .zone = surface->zone[corners - 1],
+                      .other_zone = surface->zone[others - 1]};
     for (int i = 0; i < workers->count && filters; i++) {
         tf_pair_sink *sink = &workers->worker[i]->sink;
         sink->filter = filter_pairs;

@@ -38,6 +38,7 @@ void tf_surface_free(tf_surface *surface)
     tf_buffer_free(&surface->edges.storage);
     tf_buffer_free(&surface->triangles.storage);
     tf_buffer_free(&surface->groups);
+    tf_buffer_free(&surface->zones);
     tf_buffer_free(&surface->paths);
     tf_tree_free(&surface->vertex_tree);
     tf_tree_free(&surface->edge_tree);
@@ -117,8 +118,8 @@ size_t tf_surface_memory(const tf_surface *surface)
     const tf_tree_workspace *workspace = &surface->tree_workspace;
     return sizeof *surface + surface->edges.storage.bytes +
            surface->triangles.storage.bytes + surface->groups.bytes +
-           surface->paths.bytes + tree_bytes(&surface->vertex_tree) +
-           tree_bytes(&surface->edge_tree) +
+           surface->zones.bytes + surface->paths.bytes +
+           tree_bytes(&surface->vertex_tree) + tree_bytes(&surface->edge_tree) +
            tree_bytes(&surface->triangle_tree) + workspace->keys.bytes +
            workspace->sorted.bytes + workspace->counts.bytes +
            surface->sort_workspace.other.bytes +

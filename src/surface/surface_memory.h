@@ -17,6 +17,10 @@ typedef struct tf_surface {
     tf_buffer groups;
     const double *inverse_mass; ///< of the vertices: pairs whose vertices all
         ///< have 0 are left out, too; NULL: no such pair
+    const int *zone[3]; ///< of the vertices, edges and triangles: pairs of two
+        ///< elements in one are left out, too; below 0: in none;
+        ///< NULL: no such pair
+    tf_buffer zones; ///< of the vertices and edges
     tf_frame frame;  ///< of the paths
     tf_buffer paths; ///< of the vertices
     tf_tree vertex_tree, edge_tree, triangle_tree;

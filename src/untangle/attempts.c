@@ -14,7 +14,7 @@ enum {
     SMOOTH_ROUNDS = 7,   ///< of a smoothing
     MOST_RINGS = 12,     ///< that are smoothed
     SCOPE_RINGS = 2,     ///< around what crosses that may pass through anything
-    USUAL_ROUNDS = 300,  ///< of an attempt
+    USUAL_ROUNDS = 300,  ///< of an attempt since its crossings were halved
     RELAX_ROUNDS = 4000, ///< of the last one
     CHECK_EVERY = 4,     ///< of its rounds
     IDLE_CHECKS = 200    ///< after which it ends
@@ -41,11 +41,9 @@ static void copy(const tf_attempts *all, double to[], const double from[])
     memcpy(to, from, coordinates(all) * sizeof *to);
 }
 
-static tf_status judge_state(tf_attempts *all)
+/// Judges x, of which the tangle was checked last.
+static void judge(tf_attempts *all)
 {
-    tf_status status = tf_tangle_check(&all->tangle, all->x);
-    if (status != TF_OK)
-        return status;
     size_t count = all->tangle.crossings.count;
     if (count < all->fewest) {
         all->fewest = count;
@@ -53,7 +51,14 @@ static tf_status judge_state(tf_attempts *all)
     }
     all->idle = count < all->few ? 0 : all->idle + 1;
     all->few = count < all->few ? count : all->few;
-    return TF_OK;
+}
+
+static tf_status judge_state(tf_attempts *all)
+{
+    tf_status status = tf_tangle_check(&all->tangle, all->x);
+    if (status == TF_OK)
+        judge(all);
+    return status;
 }
 
 //: Take a step
@@ -76,10 +81,13 @@ static tf_status step(tf_attempts *all, tf_untangle_rung rung, int rings)
     all->next = swap;
     all->rounds++;
     all->rungs |= moved ? (int)rung : 0;
-    status = judge_state(all);
+    status = tf_tangle_follow(&all->tangle, all->next, all->x);
+    if (status != TF_OK)
+        return status;
+    judge(all);
     if (!moved)
         all->idle = IDLE_ROUNDS + 1;
-    return status;
+    return TF_OK;
 }
 
 //: Push for a round
@@ -121,14 +129,34 @@ static tf_status start(tf_attempts *all, const double from[])
     return judge_state(all);
 }
 
+//: Extend an attempt
+/// Until when an attempt goes on, unless it halves its crossings before.
+typedef struct span {
+    int end;
+    size_t half;
+} span;
+
+static span begin_span(const tf_attempts *all)
+{
+    int most = all->options->rounds > 0 ? all->options->rounds : USUAL_ROUNDS;
+    return (span){all->rounds + most, all->few / 2};
+}
+
+static bool goes_on(const tf_attempts *all, span *own)
+{
+    if (all->few <= own->half)
+        *own = begin_span(all);
+    return !is_done(all) && all->rounds < own->end;
+}
+
 //: Make an attempt
 /// Pushes until that gets no further, smooths, and so on.
 static tf_status attempt(tf_attempts *all, bool toggles)
 {
-    int most = all->options->rounds > 0 ? all->options->rounds : USUAL_ROUNDS;
-    int end = all->rounds + most, smoothings = 0;
+    span own = begin_span(all);
+    int smoothings = 0;
     tf_status status = TF_OK;
-    while (status == TF_OK && !is_done(all) && all->rounds < end) {
+    while (status == TF_OK && goes_on(all, &own)) {
         if (may(all, TF_RUNG_PUSH) && all->idle <= IDLE_ROUNDS) {
             status = push_once(all);
             continue;

@@ -81,6 +81,17 @@ static void spread(tf_change *change, const tf_tangle *tangle)
     }
 }
 
+//: Drop the least moves
+/// What has spread so far that next to nothing is left stays where it is; so a
+/// round moves only what is near a crossing.
+static void drop_least(tf_change *change, const tf_tangle *tangle)
+{
+    for (int v = 0; v < tangle->near.vertices; v++)
+        if (tf_vector_length(change->move[v]) < 0x1p-16 * tangle->edge_at[v])
+            change->move[v] = (tf_vector){{0, 0, 0}};
+}
+
+//: Finish a change
 bool tf_change_finish(tf_change *change, const tf_tangle *tangle)
 {
     size_t vertices = (size_t)tangle->near.vertices;
@@ -91,5 +102,6 @@ bool tf_change_finish(tf_change *change, const tf_tangle *tangle)
         if (!tf_watch_work(tangle->watch, vertices))
             return false;
     }
+    drop_least(change, tangle);
     return true;
 }

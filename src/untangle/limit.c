@@ -3,6 +3,8 @@
 
 #include "fast/vectorized.h"
 
+#include <string.h>
+
 //: Weigh the vertices of a contact
 /// How much the distance of a contact's elements depends on each of its
 /// vertices; the sum of the squares of those that are not fixed.
@@ -64,13 +66,15 @@ static size_t answer(const tf_tangle *tangle, const tf_scope *scope,
 {
     size_t count = 0;
     for (size_t i = 0; i < contacts->count; i++) {
-        const tf_surface_contact *own = &contacts->contact[i];
-        int corners = own->vertex[3] < 0 ? 3 : 4;
-        if (tf_scope_has(scope, &tangle->near, own))
+        tf_surface_contact own = contacts->contact[i];
+        int corners = own.vertex[3] < 0 ? 3 : 4;
+        if (tangle->patch.is_used)
+            tf_patch_name(&tangle->patch, corners, own.vertex);
+        if (tf_scope_has(scope, &tangle->near, &own))
             continue;
         count++;
-        if (turn >= TURNS || !take_approach(tangle, own, corners, move))
-            shorten(own, corners, turn < HALVES ? 0.5 : 0, move);
+        if (turn >= TURNS || !take_approach(tangle, &own, corners, move))
+            shorten(&own, corners, turn < HALVES ? 0.5 : 0, move);
     }
     return count;
 }
@@ -88,36 +92,49 @@ static void move_all(const tf_tangle *tangle, const double x[],
 }
 
 //: Find the contacts of a round
-/// Finds them among the pairs that the last search has looked at, if there are
-/// any; where that has found nothing to answer, from the beginning.
-static tf_status search_again(tf_pair_cache *pairs,
-                              const tf_contact_search *search, bool again,
-                              tf_contacts *contacts)
-{
-    return again ? tf_pair_cache_update(pairs, search, contacts)
-                 : tf_pair_cache_build(pairs, search, contacts, NULL);
-}
-
-//: Limit moves until nothing meets
-tf_status tf_limit_moves(tf_tangle *tangle, const tf_scope *scope,
-                         const double x[], tf_vector move[], double to[])
+/// The motion from x to where the vertices go: of the patch, if there is one.
+static tf_motion motion_of(tf_tangle *tangle, const double x[],
+                           const double to[])
 {
     const tf_neighbors *all = &tangle->near;
-    tf_motion motion = {all->axes, all->vertices, x, to};
-    tf_contact_search search = {.surface = tangle->surface,
+    tf_patch *patch = &tangle->patch;
+    if (!patch->is_used)
+        return (tf_motion){all->axes, all->vertices, x, to};
+    tf_patch_gather(patch, all, x, patch->start);
+    tf_patch_gather(patch, all, to, patch->end);
+    return (tf_motion){all->axes, patch->vertices, patch->start, patch->end};
+}
+
+/// Finds them among the pairs that the last search has looked at, if there are
+/// any; where that has found nothing to answer, from the beginning.
+static tf_status find_contacts(tf_tangle *tangle, const double x[],
+                               const double to[], bool again,
+                               tf_contacts *contacts)
+{
+    tf_motion motion = motion_of(tangle, x, to);
+    tf_patch *patch = &tangle->patch;
+    tf_contact_search search = {.surface = patch->is_used ? patch->surface
+                                                          : tangle->surface,
                                 .motion = &motion,
                                 .narrow_phase = &tf_vectorized,
                                 .parallel = tangle->parallel};
+    return again ? tf_pair_cache_update(&tangle->pairs, &search, contacts)
+                 : tf_pair_cache_build(&tangle->pairs, &search, contacts, NULL);
+}
+
+//: Limit moves until nothing meets
+static tf_status limit(tf_tangle *tangle, const tf_scope *scope,
+                       const double x[], tf_vector move[], double to[])
+{
     bool again = false;
     for (int turn = 0;;) {
-        for (int v = 0; turn > STOPS && v < all->vertices; v++)
+        for (int v = 0; turn > STOPS && v < tangle->near.vertices; v++)
             move[v] = (tf_vector){{0, 0, 0}};
         move_all(tangle, x, move, to);
         if (turn > STOPS)
             return TF_OK;
         tf_contacts contacts;
-        tf_status status =
-            search_again(&tangle->pairs, &search, again, &contacts);
+        tf_status status = find_contacts(tangle, x, to, again, &contacts);
         if (status != TF_OK)
             return status;
         bool meets = answer(tangle, scope, &contacts, turn, move) > 0;
@@ -126,4 +143,27 @@ tf_status tf_limit_moves(tf_tangle *tangle, const tf_scope *scope,
         turn += meets;
         again = meets;
     }
+}
+
+//: Limit moves near where they are
+/// Within a patch if that is enough: what meets what moves may move, too, and
+/// leave the patch.  Then all begins anew, with the whole surface.
+tf_status tf_limit_moves(tf_tangle *tangle, const tf_scope *scope,
+                         const double x[], tf_vector move[], double to[])
+{
+    tf_patch *patch = &tangle->patch;
+    tf_patch_source source = {tangle->surface, &tangle->near, tangle->edge};
+    size_t bytes = (size_t)tangle->near.vertices * sizeof *move;
+    tf_status status = tf_patch_find(patch, &source, x, move);
+    if (status != TF_OK || !patch->is_used)
+        return status != TF_OK ? status : limit(tangle, scope, x, move, to);
+    if (!tf_buffer_reserve(&tangle->moves, bytes, 1))
+        return TF_OUT_OF_MEMORY;
+    memcpy(tangle->moves.data, move, bytes);
+    status = limit(tangle, scope, x, move, to);
+    if (status != TF_OK || tf_patch_covers(patch, &tangle->near, x, to))
+        return status;
+    patch->is_used = false;
+    memcpy(move, tangle->moves.data, bytes);
+    return limit(tangle, scope, x, move, to);
 }

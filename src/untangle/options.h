@@ -11,8 +11,9 @@
 /// @addtogroup untangling Untangling
 /// @{
 
-/// What an untangling tries, in this order; each where those before it get no
-/// further.  A rung is a bit, so that several can be added up.
+/// What an untangling tries, each where those before it get no further: in this
+/// order, but TF_RUNG_APART before TF_RUNG_AGAIN.  A rung is a bit, so that
+/// several can be added up.
 typedef enum tf_untangle_rung {
     TF_RUNG_PUSH =
         1, ///< push what is on the wrong side of a crossing curve out
@@ -34,8 +35,9 @@ typedef struct tf_untangle_options {
                  ///< introduced it
     const bool *fixed; ///< which vertices stay where they are, one for each
                        ///< vertex; NULL: none
-    int rounds;  ///< the most rounds of an attempt, of which there are at most
-                 ///< three before everything is smoothed; 0: 300
+    int rounds;  ///< the most rounds in which an attempt does not halve its
+                 ///< intersections; there are at most three attempts before
+                 ///< everything is smoothed; 0: 300
     int without; ///< the sum of the rungs that are left out
     const tf_parallel *parallel; ///< NULL: the caller's thread alone
     tf_progress *progress;       ///< NULL: nothing is told

@@ -16,8 +16,9 @@
 /// First the rungs before TF_RUNG_RETURN look for any clear state, in which the
 /// surface has no intersections, as tf_surface_check finds them.  From there
 /// tf_step_resolve carries all vertices back towards the input, as long as the
-/// sum of the squares of their distances from it falls; those that meet nothing
-/// on the way end where they were, bit for bit.  Nothing but positions changes.
+/// sum of the squares of their distances from it falls; at last those that meet
+/// nothing on the way are sent to where they were, bit for bit.  Nothing but
+/// positions changes.
 ///
 /// What is promised: after TF_OK the output is clear, and `left` is empty, or
 /// it is the state of fewest intersections that was found, never more than the

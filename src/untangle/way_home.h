@@ -15,8 +15,8 @@ typedef struct tf_way_home {
 
 /// Brings vertices from a clear state x back towards `in`, by steps in which
 /// nothing meets, and each of which lowers the sum of the squares of the
-/// distances from `in`.  In the end, those that meet nothing are at `in`, bit
-/// for bit.  Fixed vertices stay there.  The surface is that of the tangle.
+/// distances from `in`.  At last, those that meet nothing are sent to `in`
+/// itself, bit for bit.  Fixed vertices stay.  The surface is that of the tangle.
 /// @return TF_OK, or what else tf_step_resolve and tf_surface_detect return;
 ///     after all of these, x is where the last step has ended
 tf_status tf_way_home_take(tf_way_home *way, tf_resolver *resolver,

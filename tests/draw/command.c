@@ -317,6 +317,11 @@ START_TEST(bad_surfaces_are_refused)
     refuse("--at must be from 0 to 1, got 'x'",
            "draw surface a b --time x -o a.png");
     refuse("--at is for steps; add END", "draw surface a --time 0.5 -o a.png");
+    refuse("--crossings is for a surface at rest; drop END, or write "
+           "--contacts",
+           "draw surface a b --crossings -o a.png");
+    refuse("--contacts and --crossings exclude each other; drop one",
+           "draw surface a -c --crossings -o a.png");
     refuse("--motion is for steps", "draw surface a --motion bent -o a.png");
     refuse("nothing moves without END; add it, or --turntable",
            "draw surface a --animate a.gif");
@@ -691,6 +696,27 @@ START_TEST(surfaces_print_their_counts)
 }
 END_TEST
 
+START_TEST(surfaces_print_their_curves_and_zones)
+{
+    const char *text = say(MESHES "draw surface b.obj --crossings " SMALL
+                                  " -o a.png && draw surface b.obj " SMALL
+                                  " -o b.png >told; ! cmp -s a.png b.png");
+    ck_assert_str_eq(text, "vertices 6\ntriangles 2\nedges 6\nparts 2\n"
+                           "intersections 2\ncurves 1\nzones 1\n");
+    expect_words(
+        say(MESHES "draw surface a.obj --crossings " SMALL " -o a.png"),
+        "intersections 0\ncurves 0\nzones 0\n");
+    // Two edges of the plane that cross, and one beside them.
+    expect_words(say("printf 'v 0 0\nv 2 2\nv 0 2\nv 2 0\nv 3 0\nv 9 9\nv 9 8\n"
+                     "l 1 2\nl 3 4\nl 4 5\nl 6 7\n' >x.obj; draw surface x.obj "
+                     "--crossings " SMALL " -o a.png"),
+                 "intersections 1\ncurves 0\nzones 1\n");
+    say(MESHES "for t in light dark; do draw surface b.obj --crossings "
+               "--theme $t --turntable --frames 2 --size 32x24 --animate "
+               "$t.png || exit 1; done; ! cmp -s light.png dark.png");
+}
+END_TEST
+
 // Films -----------------------------------------------------------------------
 
 START_TEST(a_missing_ffmpeg_is_reported)
@@ -833,6 +859,7 @@ Suite *suite(void)
         queries_print_the_numbers_of_tanglefree,
         surfaces_print_the_rows_of_tanglefree,
         surfaces_print_their_counts,
+        surfaces_print_their_curves_and_zones,
         a_missing_ffmpeg_is_reported,
         a_full_disk_leaves_no_film,
         films_are_made,

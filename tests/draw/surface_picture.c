@@ -34,9 +34,9 @@ static void mark(trial *tried, bool steps)
         ck_assert(
             fig_marks_of_contacts(&shown->marks, &shown->shape, &contacts));
     } else {
-        ck_assert_int_eq(tf_surface_check(tried->surface, motion->vertices,
-                                          motion->start, NULL, &crossings,
-                                          &error),
+        ck_assert_int_eq(fig_tangled_find(&shown->tangled, tried->surface,
+                                          &shown->shape, motion->start, NULL,
+                                          &crossings, &error),
                          TF_OK);
         ck_assert(
             fig_marks_of_crossings(&shown->marks, &shown->shape, &crossings));
@@ -60,6 +60,7 @@ static void begin(trial *tried, generator *random, int axes, placement placed,
 
 static void end(trial *tried)
 {
+    fig_tangled_free(&tried->shown.tangled);
     fig_marks_free(&tried->shown.marks);
     fig_shape_free(&tried->shown.shape);
     tf_surface_free(tried->surface);
@@ -99,6 +100,7 @@ START_TEST(any_surface_is_drawn)
               (placement)below(&random, PLACEMENTS), steps);
         if (n % 2 == 0)
             mark(&tried, steps);
+        tried.shown.crosses = tried.shown.tangled.zone && n % 4 == 0;
         fig_shown_surface_look(&tried.shown,
                                n % 5 == 0 ? uniform(&random, 0, 1) : -1);
         expect_picture(&tried.shown,

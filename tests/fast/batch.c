@@ -24,6 +24,7 @@
 
 enum {
     BATCH = 3000, // more than one task
+    TASKS = 1030, // barely more than one
     WAYS = 4
 };
 
@@ -116,7 +117,8 @@ START_TEST(integers_are_answered)
 {
     generator random = generator_new(100 + (uint64_t)_i);
     batch b = batch_new(BATCH);
-    batch_fill(&b, &random, &families[2], kind_of(_i), BATCH);
+    batch_fill(&b, &random, &families[2], kind_of(_i),
+               (size_t)cases_at_least(TASKS, BATCH));
     expect_same(&tf_integer64, &b.queries, parallel_of(_i));
     expect_same(&tf_integer128, &b.queries, parallel_of(_i + 1));
     batch_free(&b);
@@ -247,9 +249,9 @@ START_TEST(a_bad_query_is_named_at_each_place)
 {
     generator random = generator_new(500);
     batch b = batch_new(BATCH);
-    size_t count = 1030;
+    size_t count = TASKS, apart = count / (size_t)cases(TASKS);
     batch_fill(&b, &random, &families[0], kind_of(_i), count);
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = (count - 1) % apart; i < count; i += apart) {
         int kept[4];
         double at[2][12];
         memcpy(kept, b.vertex + 4 * i, sizeof kept);

@@ -101,7 +101,8 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("fast/detect");
     TCase *tcase = tcase_create("detect");
-    tcase_add_loop_test(tcase, rows_are_those_of_the_reference, 0, 60);
+    tcase_add_loop_test(tcase, rows_are_those_of_the_reference, 0,
+                        (int)cases_at_least(2 * PLACEMENTS, 60));
     tcase_add_test(tcase, motions_of_other_surfaces_are_refused);
     tcase_add_test(tcase, options_out_of_range_are_named);
     tcase_add_test_raise_signal(tcase, null_breaks_the_contract, SIGABRT);

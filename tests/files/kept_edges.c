@@ -66,7 +66,8 @@ START_TEST(bad_lines_are_refused)
     expect_refused("1 -2\n", 1,
                    "'-2' is not a vertex; write its number, from 0");
     expect_refused("x\n", 1, "'x' is not a vertex; write its number, from 0");
-    expect_refused("1 2 3\n", 1, "more than two vertices; write an edge a line");
+    expect_refused("1 2 3\n", 1,
+                   "more than two vertices; write an edge a line");
     ck_assert(!tf_kept_edges_read(&kept, "nowhere", VERTICES, &fault));
 }
 END_TEST

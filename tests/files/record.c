@@ -148,6 +148,17 @@ START_TEST(a_report_is_lines_or_an_object_or_a_table)
 }
 END_TEST
 
+START_TEST(joined_fields_are_in_order)
+{
+    static const tf_field first = TF_FIELD("first", sample, integer);
+    tf_field all[8];
+    tf_fields_join(all, &first, fields);
+    FILE *stream = open_memstream(&text, &length);
+    tf_record_write_head(stream, all);
+    expect_text(stream, "first,a_count,integer,number,rounded,empty,word\n");
+}
+END_TEST
+
 // Many records ----------------------------------------------------------------
 
 typedef struct row {
@@ -264,6 +275,7 @@ Suite *suite(void)
     tcase_add_loop_test(record, words_are_quoted_as_the_format_requires, 0,
                         sizeof words / sizeof *words);
     tcase_add_test(record, a_report_is_lines_or_an_object_or_a_table);
+    tcase_add_test(record, joined_fields_are_in_order);
     suite_add_tcase(suite, record);
 
     TCase *many = tcase_create("many records");

@@ -33,7 +33,7 @@ static body_call *const about_bodies[] = {
     call_candidates, call_check,   call_check,    call_lend,
     call_resolve,    call_resolve, call_resolve,  call_resolve,
     call_resolve,    call_limit,   call_limit,    call_untangle,
-    call_untangle,
+    call_untangle,   call_zones,
 };
 
 static shell_call *const about_shells[] = {

@@ -34,7 +34,8 @@ static void work(const char *out, const char *err, double duration)
     replace(STDERR_FILENO, err);
     tf_progress_line progress = tf_progress_line_begin(false);
     for (double end = seconds() + duration; seconds() < end; usleep(1000))
-        tf_progress_line_show(&progress, 1234567, "queries");
+        ck_assert(tf_progress_line_show_stage(
+            &progress, &(tf_stage){"queries", 1234567, 0}));
     tf_progress_line_end(&progress);
     _exit(0);
 }

@@ -26,32 +26,35 @@ static void write_record(tf_format format, const tf_field field[],
 /// Every number is another one.
 static const tf_resolved resolved = {.status = "resolved",
                                      .seconds = 0.125,
-                                     .report = {
-                                         .first_contacts = 1,
-                                         .contacts = 2,
-                                         .rounds = {3, 4, 5, 6},
-                                         .constraints = 7,
-                                         .zones = 8,
-                                         .largest_zone = 9,
-                                         .iterations = 10,
-                                         .violation = 0.25,
-                                         .smallest_gap = 0.5,
-                                         .groups = 11,
-                                         .grouped = 12,
-                                         .resting = 13,
-                                         .held = 14,
-                                         .moved = 15,
-                                         .statistics = {.candidates = 17,
-                                                        .by_axis = 18,
-                                                        .by_filter = 19,
-                                                        .by_signs = 20},
-                                         .energy_before = 21.5,
-                                         .energy_after = 22.5,
-                                         .followed = 0.625,
-                                         .first_near = 23,
-                                         .near = 24,
-                                         .near_at_start = 25,
-                                     }};
+                                     .report =
+                                         {
+                                             .first_contacts = 1,
+                                             .contacts = 2,
+                                             .rounds = {3, 4, 5, 6},
+                                             .constraints = 7,
+                                             .zones = 8,
+                                             .largest_zone = 9,
+                                             .iterations = 10,
+                                             .violation = 0.25,
+                                             .smallest_gap = 0.5,
+                                             .groups = 11,
+                                             .grouped = 12,
+                                             .resting = 13,
+                                             .held = 14,
+                                             .moved = 15,
+                                             .statistics = {.candidates = 17,
+                                                            .by_axis = 18,
+                                                            .by_filter = 19,
+                                                            .by_signs = 20},
+                                             .energy_before = 21.5,
+                                             .energy_after = 22.5,
+                                             .followed = 0.625,
+                                             .first_near = 23,
+                                             .near = 24,
+                                             .near_at_start = 25,
+                                         },
+                                     .exempt_zones = 26,
+                                     .exempt_crossings = 27};
 
 START_TEST(a_summary_tells_all_of_a_response)
 {
@@ -65,7 +68,7 @@ START_TEST(a_summary_tells_all_of_a_response)
               "candidates: 17\ndecided by axis: 18\ndecided by filter: 19\n"
               "decided by signs: 20\nenergy before: 21.5\nenergy after: 22.5\n"
               "seconds: 0.125\nfirst near: 23\nnear: 24\n"
-              "near at start: 25\n");
+              "near at start: 25\nexempt zones: 26\nexempt crossings: 27\n");
 }
 END_TEST
 
@@ -82,7 +85,8 @@ START_TEST(json_tells_all_of_a_response)
         "\"followed\":0.625,\"candidates\":17,\"decided_by_axis\":18,"
         "\"decided_by_filter\":19,\"decided_by_signs\":20,"
         "\"energy_before\":21.5,\"energy_after\":22.5,\"seconds\":0.125,"
-        "\"first_near\":23,\"near\":24,\"near_at_start\":25}\n");
+        "\"first_near\":23,\"near\":24,\"near_at_start\":25,"
+        "\"exempt_zones\":26,\"exempt_crossings\":27}\n");
     ck_assert_msg(!json_fault(text), "%s", json_fault(text));
 }
 END_TEST
@@ -131,6 +135,34 @@ START_TEST(json_tells_all_of_remeshing)
 }
 END_TEST
 
+// Untangling ------------------------------------------------------------------
+
+START_TEST(untangling_is_told_by_its_counts_and_rungs)
+{
+    static const struct {
+        size_t before, left;
+        int rungs;
+        const char *status, *names;
+    } told[] = {
+        {0, 0, 0, "clear", "none"},
+        {3, 0, TF_RUNG_PUSH | TF_RUNG_RETURN, "untangled", "push return"},
+        {3, 2, 63, "tangled", "push smooth again apart relax return"}};
+    for (int i = 0; i < 3; i++) {
+        tf_untangled_frame done = {
+            .before = told[i].before,
+            .left = {.count = told[i].left},
+            .report = {.rungs = told[i].rungs, .moved = 9}};
+        tf_untangled untangled;
+        tf_untangled_set(&untangled, &done, 0.25);
+        ck_assert_str_eq(untangled.status, told[i].status);
+        ck_assert_str_eq(untangled.rung_names, told[i].names);
+        ck_assert(untangled.before == told[i].before &&
+                  untangled.left == told[i].left && untangled.seconds == 0.25 &&
+                  untangled.report.moved == 9);
+    }
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("program/reports");
@@ -139,6 +171,7 @@ Suite *suite(void)
     tcase_add_test(reports, json_tells_all_of_a_response);
     tcase_add_test(reports, a_summary_tells_all_of_remeshing);
     tcase_add_test(reports, json_tells_all_of_remeshing);
+    tcase_add_test(reports, untangling_is_told_by_its_counts_and_rungs);
     suite_add_tcase(suite, reports);
     return suite;
 }

@@ -323,8 +323,8 @@ START_TEST(a_report_may_be_csv)
 {
     outcome found = resolved("above", "below", "new", "--format csv");
     expect_words(found.out, "status,first_contacts,contacts,impulse_rounds,");
-    expect_words(found.out, ",seconds,first_near,near,near_at_start\n"
-                            "resolved,2,2,");
+    expect_words(found.out, ",seconds,first_near,near,near_at_start,"
+                            "exempt_zones,exempt_crossings\nresolved,2,2,");
     ck_assert_int_eq(occurrences(found.out, "\n"), 2);
 }
 END_TEST
@@ -644,6 +644,97 @@ START_TEST(starts_that_are_not_clear_are_refused)
 }
 END_TEST
 
+// Starts that cross -----------------------------------------------------------
+
+// Two triangles that cross, and a point that is above the first one, or below;
+// the second triangle goes on through the first, or stays.
+#define CROSSED(lift)                                                          \
+    "v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n"                                     \
+    "v 1 1 " lift "\nv 1 1 1\nv 9 9 1\nf 4 5 6\n"
+#define OVER CROSSED("-1") "v 2 0.5 1\n"
+#define UNDER CROSSED("-2") "v 2 0.5 -1\n"
+
+static const char left_out[] = "file,kind,a,b,c,d,e,f\n"
+                               "over.obj,edge-triangle,1,2,3,4,5,\n"
+                               "over.obj,edge-triangle,3,4,0,1,2,\n";
+
+static void make_crossed(void)
+{
+    make_file("over.obj", OVER);
+    make_file("under.obj", UNDER);
+}
+
+START_TEST(what_crosses_may_be_left_out)
+{
+    char list[300];
+    make_crossed();
+    outcome found =
+        run("$tf resolve over.obj under.obj -o new.obj --exempt-crossings");
+    ck_assert_str_eq(found.err, "");
+    ck_assert_int_eq(found.status, 0);
+    expect_words(found.out, "status: resolved\nfirst contacts: 1\n");
+    snprintf(list, sizeof list, "\nexempt zones: 1\nexempt crossings: 2\n\n%s",
+             left_out);
+    expect_words(found.out, list);
+    // The triangles still cross, and the point is above the first one, or the
+    // step would not be resolved.
+    expect_words(run("$tf check new.obj").out,
+                 "new.obj,edge-triangle,3,4,0,1,2,\n");
+    found = run("$tf detect --format summary over.obj new.obj");
+    expect_words(found.out, "\ncontacts: 0\n");
+}
+END_TEST
+
+START_TEST(what_is_left_out_is_listed_in_the_format_of_the_report)
+{
+    make_crossed();
+    outcome found = run("$tf resolve over.obj under.obj -o new.obj "
+                        "--exempt-crossings --format json | tail -n +2");
+    ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
+    expect_words(found.out, "{\"file\":\"over.obj\",\"kind\":\"edge-triangle\","
+                            "\"a\":1,\"b\":2,\"c\":3,\"d\":4,\"e\":5}");
+    found = run("$tf resolve over.obj under.obj -o new.obj "
+                "--exempt-crossings --format csv | tail -n +3");
+    ck_assert_str_eq(found.out + 1, left_out);
+    // Where the mesh is not.
+    found = run("$tf resolve over.obj under.obj -o - --exempt-crossings "
+                "2>report >mesh; tail -n 3 report");
+    ck_assert_str_eq(found.out, left_out);
+    expect(run("$tf resolve over.obj under.obj -o new.obj "
+               "--exempt-crossings -t 3 >same; cmp mesh new.obj"),
+           0, "", "");
+    found = run("$tf resolve over.obj under.obj -o shown.pvd "
+                "--exempt-crossings | tail -n 3");
+    ck_assert_str_eq(found.out, left_out);
+}
+END_TEST
+
+START_TEST(a_clear_start_has_nothing_to_leave_out)
+{
+    make_file("flat", "v 0 0\nv 2 2\nv 0 2\nv 2 0\nl 1 2\nl 3 4\n");
+    outcome found = resolved("above", "below", "new", "--exempt-crossings");
+    ck_assert_str_eq(strstr(found.out, "exempt zones"),
+                     "exempt zones: 0\nexempt crossings: 0\n");
+    expect(run("$tf resolve above below -o usual >report; cmp new usual"), 0,
+           "", "");
+    expect_words(run("$tf resolve flat flat -o new --exempt-crossings").out,
+                 "exempt zones: 1\nexempt crossings: 1\n\n");
+}
+END_TEST
+
+START_TEST(what_crosses_outside_of_zones_is_refused)
+{
+    make_file("start", TRIANGLE "v 0 0 -1\nv 0.5 0.5 1\nl 4 5\n");
+    expect(run("$tf resolve start start -o new --exempt-crossings"), 2, "",
+           "tanglefree: start: edge 3 4 passes through triangle 0 1 2 "
+           "(numbered from 0) before the step begins; move them apart, see "
+           "'tanglefree check' for all such pairs\n");
+    make_file("scene.yaml", "meshes: []\n");
+    expect_usage("resolve scene.yaml -o new --exempt-crossings",
+                 "tanglefree resolve: --exempt-crossings is for two meshes\n");
+}
+END_TEST
+
 START_TEST(files_that_do_not_fit_are_refused)
 {
     make_file("nan", TRIANGLE "v nan 0 0\nv 0 0 0\n");
@@ -757,6 +848,7 @@ START_TEST(help_describes_the_command)
         "--masses=FILE",
         "--solver=NAME",
         "--separation=X",
+        "--exempt-crossings",
         "--friction=X",
         "--vertex-friction=FILE",
         "--restitution=X",
@@ -913,6 +1005,10 @@ Suite *suite(void)
 
     TCase *bad = add_case(suite, "bad input");
     tcase_add_test(bad, starts_that_are_not_clear_are_refused);
+    tcase_add_test(bad, what_crosses_may_be_left_out);
+    tcase_add_test(bad, what_is_left_out_is_listed_in_the_format_of_the_report);
+    tcase_add_test(bad, a_clear_start_has_nothing_to_leave_out);
+    tcase_add_test(bad, what_crosses_outside_of_zones_is_refused);
     tcase_add_test(bad, files_that_do_not_fit_are_refused);
     tcase_add_test(bad, lists_that_do_not_fit_are_refused);
 

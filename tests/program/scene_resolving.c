@@ -165,11 +165,11 @@ START_TEST(a_report_has_a_row_for_each_step)
     expect_words(found.out, "{\"steps\":[\n{\"step\":0,\"status\":\"clear\",");
     expect_words(found.out, "},\n{\"step\":1,\"status\":\"resolved\",");
     expect_words(found.out,
-                 "\"near_at_start\":0}\n],\n\"summary\":{\"steps\":2,"
+                 "\"exempt_crossings\":0}\n],\n\"summary\":{\"steps\":2,"
                  "\"resolved_steps\":1,\"first_contacts\":");
     found = run("$tf resolve scene.yaml -o csv-out --format csv | head -n 1");
     expect_words(found.out, "step,status,first_contacts,contacts,");
-    expect_words(found.out, ",near_at_start\n");
+    expect_words(found.out, ",near_at_start,exempt_zones,exempt_crossings\n");
     found = run("$tf resolve scene.yaml -o more | cut -d : -f 1");
     expect(found, 0,
            "steps\nresolved steps\nfirst contacts\nheld steps\nseconds\n", "");

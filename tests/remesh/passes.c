@@ -27,10 +27,10 @@ static void expect_on_original(tf_remesher *remesher, bool as_large)
     tf_original now = {0};
     ck_assert_int_eq(tf_adaptive_compact(remesher->surface, NULL), TF_OK);
     ck_assert_int_eq(tf_original_begin(&now, remesher->surface, NULL), TF_OK);
-    ck_assert_double_lt(tf_surface_reach(&remesher->original, remesher->surface,
-                                         0, NULL, NULL)
-                            .most,
-                        1e-14);
+    ck_assert_double_lt(
+        tf_surface_reach(&remesher->original, remesher->surface, 0, NULL, NULL)
+            .most,
+        1e-14);
     if (as_large)
         ck_assert_double_lt(
             tf_surface_reach(&now, remesher->original.surface, 0, NULL, NULL)

@@ -84,9 +84,8 @@ START_TEST(a_triangle_on_a_plane_is_at_no_distance)
         tf_shape triangle;
         double height = i % 2 ? 0 : uniform(&random, 0, 3);
         for (int k = 0; k < 3; k++)
-            triangle.corner[k] =
-                (tf_vector){{uniform(&random, 0, 9), uniform(&random, 0, 9),
-                             height}};
+            triangle.corner[k] = (tf_vector){
+                {uniform(&random, 0, 9), uniform(&random, 0, 9), height}};
         tf_reach found = tf_triangle_reach(&original, &triangle, 1e-9);
         ck_assert_double_eq_tol(found.least, height, 1e-12);
         ck_assert_double_eq_tol(found.most, height, 1e-9 + 0.01 * height);

@@ -164,8 +164,7 @@ static tf_adaptive_surface *prism(int sides)
         count += 2;
     }
     for (int i = 1; i + 1 < sides; i++) {
-        const int caps[] = {0,     i + 1,     i,
-                            sides, sides + i, sides + i + 1};
+        const int caps[] = {0, i + 1, i, sides, sides + i, sides + i + 1};
         memcpy(triangle + 3 * count, caps, sizeof caps);
         count += 2;
     }
@@ -278,8 +277,7 @@ END_TEST
 
 /// The farthest of many random points of a surface from another one.
 static double sampled_distance(const tf_adaptive_surface *from,
-                               const tf_adaptive_surface *to,
-                               generator *random)
+                               const tf_adaptive_surface *to, generator *random)
 {
     tf_original original = {0};
     double far = 0;

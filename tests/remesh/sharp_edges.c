@@ -269,11 +269,11 @@ static void expect_collapse(int a, int b, int from, bool may_go)
 
 START_TEST(the_freer_vertex_collapses)
 {
-    expect_collapse(5, 10, 5, true);  // both are free
-    expect_collapse(0, 5, 5, true);   // a corner, and a free one
-    expect_collapse(1, 6, 6, true);   // along an edge, and a free one
-    expect_collapse(0, 1, 1, true);   // a corner, and along the edge
-    expect_collapse(1, 2, 1, true);   // both along the edge
+    expect_collapse(5, 10, 5, true); // both are free
+    expect_collapse(0, 5, 5, true);  // a corner, and a free one
+    expect_collapse(1, 6, 6, true);  // along an edge, and a free one
+    expect_collapse(0, 1, 1, true);  // a corner, and along the edge
+    expect_collapse(1, 2, 1, true);  // both along the edge
 }
 END_TEST
 
@@ -295,8 +295,8 @@ START_TEST(sharp_edges_keep_their_length)
     static const int triangle[] = {0, 1, 3, 1, 2, 3};
     for (int i = 0; i < 2; i++) {
         double height = i ? 0.05 : 0.04; // 0.99875 and 0.99920 of the length
-        double position[][3] = {{-1, 0, 0}, {0, -height, 0}, {1, 0, 0},
-                                {0, 1, 0}};
+        double position[][3] = {
+            {-1, 0, 0}, {0, -height, 0}, {1, 0, 0}, {0, 1, 0}};
         tf_adaptive_surface *bent = adaptive_of(4, position, 2, triangle);
         tf_edge_collapse collapse;
         find(bent, 0, NULL);

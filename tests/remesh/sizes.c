@@ -35,9 +35,9 @@ static void expect_graded(const tf_remesher *remesher, const double wish[])
             for (int i = 1; i < 3; i++) {
                 int other = tf_vertex_at(surface, c / 3 * 3 + (c + i) % 3);
                 if (tf_vertex_at(surface, c) == v)
-                    least = fmin(
-                        least,
-                        at(other) + distance_between(surface, v, other) / 2);
+                    least = fmin(least,
+                                 at(other) +
+                                     distance_between(surface, v, other) / 2);
             }
         ck_assert_double_eq_tol(at(v), least, 1e-15);
     }

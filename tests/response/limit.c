@@ -217,6 +217,37 @@ START_TEST(bad_input_is_reported)
 }
 END_TEST
 
+// Two edges that cross and go apart, and a speck that falls upon a third one:
+// the last pair alone limits the step.
+START_TEST(what_is_in_a_zone_limits_nothing)
+{
+    static const int zone[] = {5, 5, -1};
+    tf_response_options check = {
+        .size = sizeof check, .check_start = true, .zone = zone};
+    int halvings = 7;
+    proposal_begin(&made, 2);
+    for (int i = 0; i < 2; i++)
+        proposal_add_edge(&made, proposal_add_vertex(&made, i - 1, -i, 0),
+                          proposal_add_vertex(&made, 1 - i, i, 0));
+    proposal_add_edge(&made, proposal_add_vertex(&made, 8, 0, 0),
+                      proposal_add_vertex(&made, 10, 0, 0));
+    proposal_add_vertex(&made, 9, 1, 0);
+    made.end[1] = made.end[3] = 7;
+    made.end[13] = -2;
+    begin();
+    ck_assert_int_eq(tf_step_limit(resolver, 7, made.start, made.end, &check,
+                                   &halvings, NULL),
+                     TF_OK);
+    ck_assert_int_eq(halvings, 2);
+    ck_assert_ptr_null(surface->zone[0]);
+    check.zone = NULL;
+    ck_assert_int_eq(tf_step_limit(resolver, 7, made.start, made.end, &check,
+                                   &halvings, NULL),
+                     TF_START_NOT_CLEAR);
+    finish();
+}
+END_TEST
+
 START_TEST(null_breaks_the_contract)
 {
     double x = 0;
@@ -234,6 +265,7 @@ Suite *suite(void)
     tcase_add_test(tcase, no_motion_may_be_left);
     tcase_add_test(tcase, differences_may_overflow);
     tcase_add_test(tcase, nothing_is_resolved);
+    tcase_add_test(tcase, what_is_in_a_zone_limits_nothing);
     suite_add_tcase(suite, tcase);
 
     TCase *bad = tcase_create("trouble");

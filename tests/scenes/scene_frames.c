@@ -10,6 +10,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define CORNERS "v 0 0 %g\nv 1 0 %g\nv 0 1 %g\nf 1 2 3\n"
@@ -112,6 +113,64 @@ START_TEST(what_was_changed_is_the_next_start)
     // their frames have them.
     next(&frames);
     expect_heights(&frames, HEIGHTS(1.5, 3.5, 7.5), HEIGHTS(2, 3.5, 7));
+    free_both(&frames, &meshes);
+}
+END_TEST
+
+// A face with a corner that points inward is divided there; then another does.
+START_TEST(changed_polygons_are_divided_anew)
+{
+    make_file("a", "v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 1 2 3 4\n");
+    tf_scene_meshes meshes = {0};
+    tf_scene_frames frames = {.meshes = &meshes};
+    add(&meshes, TF_SCRIPTED, "0");
+    add(&meshes, TF_MOVING, "a");
+    next(&frames);
+    const tf_mesh_file *file = tf_scene_frames_file(&frames, 1, 1);
+    int before[6];
+    memcpy(before, file->triangle.item, sizeof before);
+    double *x = tf_scene_frames_end(&frames) + 9;
+    static const double moved[] = {4, 4, 0, 3, 1, 0};
+    memcpy(x + 6, moved, sizeof moved);
+    tf_scene_frames_change(&frames);
+    ck_assert(tf_scene_frames_divide(&frames));
+    ck_assert_int_ne(memcmp(before, file->triangle.item, sizeof before), 0);
+    ck_assert(memcmp(file->position.item + 6, moved, sizeof moved) == 0);
+    ck_assert(tf_scene_frames_positions(&frames, 1)[9] == 3);
+    // The other mesh has a triangle, and this one a new diagonal.
+    int edges;
+    const int *edge = tf_surface_edges(frames.surface, &edges);
+    ck_assert_int_eq(edges, 3 + 5);
+    bool found = false;
+    for (int i = 0; i < edges; i++)
+        found = found || (edge[2 * i] == 4 && edge[2 * i + 1] == 6);
+    ck_assert(found);
+    free_both(&frames, &meshes);
+}
+END_TEST
+
+START_TEST(what_follows_its_frames_has_no_inverse_mass)
+{
+    tf_scene_meshes meshes = {0};
+    tf_scene_frames frames = {.meshes = &meshes};
+    double inverse_mass[12];
+    add(&meshes, TF_MOVING, "0")->mass = 0.5;
+    add(&meshes, TF_SCRIPTED, "3");
+    add(&meshes, TF_FIXED, "5");
+    tf_scene_mesh *pinned = add(&meshes, TF_MOVING, "7");
+    pinned->pinned = malloc(sizeof(int));
+    pinned->pinned[0] = 1;
+    pinned->pins = 1;
+    next(&frames);
+    ck_assert(tf_scene_frames_weigh(&frames, "a.yaml", inverse_mass));
+    static const double right[12] = {6, 6, 6, 0, 0, 0, 0, 0, 0, 1, 0, 1};
+    for (int v = 0; v < 12; v++)
+        ck_assert_double_eq(inverse_mass[v], right[v]);
+    meshes.mesh[3].pinned[0] = 3;
+    meshes.mesh[3].name = strdup("last");
+    ck_assert(!tf_scene_frames_weigh(&frames, "a.yaml", inverse_mass));
+    ck_assert_str_eq(frames.fault.file, "a.yaml");
+    expect_words(frames.fault.text, "'last' has no vertex 3; ");
     free_both(&frames, &meshes);
 }
 END_TEST
@@ -332,6 +391,8 @@ Suite *suite(void)
     tcase_add_checked_fixture(steps, enter_folder_of_triangles, leave_folder);
     tcase_add_test(steps, each_end_is_the_next_start);
     tcase_add_test(steps, what_was_changed_is_the_next_start);
+    tcase_add_test(steps, changed_polygons_are_divided_anew);
+    tcase_add_test(steps, what_follows_its_frames_has_no_inverse_mass);
     suite_add_tcase(suite, steps);
 
     TCase *plane = tcase_create("in the plane");

@@ -14,18 +14,17 @@ const char *const proposal_ways[PROPOSAL_WAYS] = {
     "turned over", "shuffled", "rotated",    "carried",    "resting"};
 
 enum {
-    ALL = PROPOSAL_SHAPES * PROPOSAL_WAYS,
-    STRIDE = 3 // no factor of PROPOSAL_WAYS, so that it meets all ways
+    ALL = PROPOSAL_SHAPES * PROPOSAL_WAYS
 };
 
 int proposal_tries(void)
 {
-    return cases(ALL) < ALL ? ALL / STRIDE : ALL;
+    return cases(ALL) < ALL ? PROPOSAL_WAYS : ALL;
 }
 
 int proposal_number(int i)
 {
-    return cases(ALL) < ALL ? STRIDE * i : i;
+    return cases(ALL) < ALL ? i % PROPOSAL_SHAPES * PROPOSAL_WAYS + i : i;
 }
 
 static const double pi = 3.141592653589793;

@@ -48,7 +48,7 @@ extern const char *const proposal_shapes[PROPOSAL_SHAPES];
 extern const char *const proposal_ways[PROPOSAL_WAYS];
 
 /// How many proposals a test tries: one of each shape in each way, or with a
-/// TF_TEST_PERCENT below 100 a third of them, of all shapes and in all ways.
+/// TF_TEST_PERCENT below 100 one in each way, of all shapes in turn.
 int proposal_tries(void);
 
 /// The i-th of these: its shape times PROPOSAL_WAYS, plus its way.

@@ -9,3 +9,9 @@ long cases(long full)
     double scaled = (double)full * percent / 100;
     return scaled >= 1 ? (long)scaled : 1;
 }
+
+long cases_at_least(long least, long full)
+{
+    long some = cases(full);
+    return some >= least ? some : least;
+}

@@ -15,4 +15,8 @@ Suite *suite(void);
 /// told) percent of them, at least one.
 long cases(long full);
 
+/// The same, but at least `least`: for cases of which a number must be tried
+/// until each kind has had its turn.
+long cases_at_least(long least, long full);
+
 #endif

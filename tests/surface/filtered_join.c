@@ -13,6 +13,7 @@
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
+#include "support/zoned_facets.h"
 #include "surface/candidates.h"
 #include "surface/check.h"
 #include "surface/detect.h"
@@ -23,6 +24,8 @@
 
 static surface_case given;
 static pair_rule rule;
+static int zone[4 * SURFACE_ELEMENTS]; ///< of the facets, if there are zones
+static zoned_facets zoned;             ///< with zones, or all zero
 
 /// The given surface, filtered by a new rule.
 static tf_surface *filtered_surface(generator *random)
@@ -37,7 +40,33 @@ static tf_surface *filtered_surface(generator *random)
     if (below(random, 2))
         surface->inverse_mass =
             pair_rule_weigh(random, given.mesh.vertices, &rule);
+    zoned = (zoned_facets){0};
+    if (below(random, 2)) {
+        zones_draw(random, surface, zone);
+        zoned = zoned_facets_of(surface, zone);
+        ck_assert(tf_surface_enter_zones(surface, zone));
+    }
     return surface;
+}
+
+/// Whether rule and zones keep a pair of a step.
+static bool keeps(tf_kind kind, const int vertex[])
+{
+    int first = kind == TF_EDGE_EDGE ? 2 : 1;
+    int second = kind == TF_POINT_TRIANGLE ? 3 : 2;
+    return pair_rule_keeps(&rule, kind, vertex) &&
+           !(zoned.zone &&
+             zones_leave_out(&zoned, first, vertex, second, vertex + first));
+}
+
+static bool keeps_crossing(const tf_crossing *crossing)
+{
+    int first = crossing->kind == TF_POINT_ON_TRIANGLE ? 1 : 2;
+    int second = crossing->kind == TF_EDGE_ON_EDGE ? 2 : 3;
+    const int *v = crossing->vertex;
+    return pair_rule_keeps_crossing(&rule, crossing) &&
+           !(zoned.zone &&
+             zones_leave_out(&zoned, first, v, second, v + first));
 }
 
 static int workers = 3;
@@ -76,15 +105,27 @@ static size_t keep_candidates(const tf_surface *surface, int corners,
             memcpy(vertex + 2, a[0] < b[0] ? b : a, 2 * sizeof *a);
         }
         pair[kept] = pair[i];
-        kept += pair_rule_keeps(&rule, kind, vertex);
+        kept += keeps(kind, vertex);
     }
     return kept;
+}
+
+/// Options with the zones of the surface, which it leaves; or without.
+static tf_detect_options options_of(tf_surface *surface, int i)
+{
+    tf_detect_options options = {.size = sizeof options,
+                                 .parallel = parallel_of(i)};
+    if (i % 3 == 0)
+        return options;
+    tf_surface_leave_zones(surface);
+    options.zone = zoned.zone;
+    return options;
 }
 
 static void expect_candidates(tf_surface *surface, int i)
 {
     tf_surface *whole = surface_of(&given.mesh);
-    tf_detect_options options = {.parallel = parallel_of(i)};
+    tf_detect_options options = options_of(surface, i);
     tf_candidates all, found;
     ck_assert_int_eq(
         tf_surface_candidates(whole, &given.motion, NULL, &all, NULL), TF_OK);
@@ -144,7 +185,7 @@ static void query_pair(tf_kind kind, const int vertex[])
                                 &row.contact);
     // Elements that share a vertex are refused.
     if (status != TF_OK || row.contact.verdict != TF_HIT ||
-        !pair_rule_keeps(&rule, kind, vertex))
+        !keeps(kind, vertex))
         return;
     ck_assert_uint_lt(all.count, MOST_ROWS);
     all.row[all.count++] = row;
@@ -190,14 +231,13 @@ static const tf_narrow_phase own = {
 
 static void expect_contacts(tf_surface *surface, int i)
 {
-
-    tf_detect_options options = {.narrow_phase = i % 3 ? NULL : &own,
-                                 .parallel = parallel_of(i)};
+    tf_detect_options options = options_of(surface, i);
     tf_contacts found;
     tf_candidates candidates;
-    ck_assert_int_eq(
-        tf_surface_candidates(surface, &given.motion, NULL, &candidates, NULL),
-        TF_OK);
+    ck_assert_int_eq(tf_surface_candidates(surface, &given.motion, &options,
+                                           &candidates, NULL),
+                     TF_OK);
+    options.narrow_phase = i % 4 ? NULL : &own;
     size_t count = candidates.point_count + candidates.edge_count;
     ck_assert_int_eq(tf_detect(surface, &given.motion, &options, &found, NULL),
                      TF_OK);
@@ -248,7 +288,7 @@ static void expect_crossings(tf_surface *surface, int i)
     size_t kept = 0;
     for (int j = 0; j < crossings.count; j++) {
         const tf_crossing *expected = &crossings.row[j];
-        if (!pair_rule_keeps_crossing(&rule, expected))
+        if (!keeps_crossing(expected))
             continue;
         ck_assert_uint_lt(kept, found.count);
         ck_assert_int_eq(found.crossing[kept].kind, expected->kind);
@@ -298,6 +338,7 @@ START_TEST(a_filter_that_is_removed_leaves_no_trace)
                    *whole = surface_of(&given.mesh);
         detect(surface);
         surface->inverse_mass = NULL;
+        tf_surface_leave_zones(surface);
         ck_assert_int_eq(tf_surface_set_filter(surface, NULL, NULL), TF_OK);
         tf_contacts expected = detect(whole), found = detect(surface);
         ck_assert_uint_eq(found.statistics.candidates,

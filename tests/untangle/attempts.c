@@ -93,6 +93,21 @@ START_TEST(the_best_state_is_kept)
 }
 END_TEST
 
+// One round is not enough to halve the crossings; five are, so five more follow.
+START_TEST(an_attempt_goes_on_while_it_halves_its_crossings)
+{
+    int without = 2 * TF_RUNG_RETURN - 1 - TF_RUNG_PUSH;
+    for (int rounds = 1; rounds <= 5; rounds += 4) {
+        tangle_make_bump(&own, 3);
+        try_all(&(tf_untangle_options){.rounds = rounds, .without = without});
+        bool halves = 2 * attempts.fewest <= crossings_of(own.x);
+        ck_assert_int_eq(halves, rounds == 5);
+        ck_assert_int_eq(attempts.rounds > rounds, halves);
+        release();
+    }
+}
+END_TEST
+
 START_TEST(what_is_beyond_help_is_not_tried)
 {
     tangle_make_bump(&own, 3);
@@ -113,6 +128,7 @@ Suite *suite(void)
     tcase_add_test(tcase, with_nothing_else_parts_move_apart);
     tcase_add_test(tcase, without_all_rungs_nothing_moves);
     tcase_add_test(tcase, the_best_state_is_kept);
+    tcase_add_test(tcase, an_attempt_goes_on_while_it_halves_its_crossings);
     tcase_add_test(tcase, what_is_beyond_help_is_not_tried);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -87,6 +87,24 @@ START_TEST(moves_spread_and_fade)
 }
 END_TEST
 
+// What is pushed a little at a corner does not move the whole sheet.
+START_TEST(the_least_moves_are_dropped)
+{
+    begin();
+    tf_change_add(&change, &own.tangle, 0, up, 0.2, 1);
+    ck_assert(tf_change_finish(&change, &own.tangle));
+    ck_assert_double_gt(change.move[1].x[2], 0);
+    int still = 0;
+    for (int v = 0; v < own.mesh.vertices; v++) {
+        double length = tf_vector_length(change.move[v]);
+        ck_assert(length == 0 || length >= own.tangle.edge_at[v] / 65536);
+        still += length == 0;
+    }
+    ck_assert_int_gt(still, 20);
+    release();
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("untangle/change");
@@ -95,6 +113,7 @@ Suite *suite(void)
     tcase_add_test(tcase, nothing_is_proposed_to_fixed_vertices);
     tcase_add_test(tcase, what_moves_alike_is_as_long_as_half_an_edge);
     tcase_add_test(tcase, moves_spread_and_fade);
+    tcase_add_test(tcase, the_least_moves_are_dropped);
     suite_add_tcase(suite, tcase);
     return suite;
 }

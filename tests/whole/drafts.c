@@ -289,6 +289,37 @@ START_TEST(drafts_of_other_steps_are_of_no_use)
 }
 END_TEST
 
+/// All facets of one zone, or none of any: nothing is left out by the latter.
+static const int *zones_of_all(bool one)
+{
+    static int zone[2][PROPOSAL_TRIANGLES + PROPOSAL_EDGES];
+    for (int i = 0; i < PROPOSAL_TRIANGLES + PROPOSAL_EDGES; i++)
+        zone[one][i] = one ? 0 : -1;
+    return zone[one];
+}
+
+// With zones, without, and with others.
+START_TEST(drafts_with_other_zones_are_of_no_use)
+{
+    double whole[3 * PROPOSAL_VERTICES];
+    make_wild(_i);
+    begin();
+    halve(whole);
+    for (int way = 0; way < 3; way++) {
+        tf_response_options draft = drafted, own = again;
+        draft.zone = way > 0 ? zones_of_all(true) : NULL;
+        own.zone = way < 2 ? zones_of_all(false) : NULL;
+        answer(draft);
+        double *usual = answer_of_new_resolver((tf_response_options){0});
+        ck_assert_mem_eq(answer(own), usual,
+                         sizeof(double) *
+                             (size_t)(made.mesh.axes * made.mesh.vertices));
+        free(usual);
+    }
+    finish();
+}
+END_TEST
+
 // A call that fails, or that does something else, leaves nothing either.
 START_TEST(drafts_are_forgotten_by_other_calls)
 {
@@ -325,6 +356,7 @@ Suite *suite(void)
     tcase_add_test(tcase, an_answer_after_a_draft_looks_at_its_pairs);
     tcase_add_loop_test(tcase, without_a_draft_nothing_is_kept, 0, wild);
     tcase_add_loop_test(tcase, drafts_of_other_steps_are_of_no_use, 0, wild);
+    tcase_add_loop_test(tcase, drafts_with_other_zones_are_of_no_use, 0, wild);
     tcase_add_loop_test(tcase, drafts_are_forgotten_by_other_calls, 0, wild);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -456,6 +456,14 @@ static tf_status untangle(int vertices, const double position[],
                        error);
 }
 
+static tf_status find_zones(int vertices, const double position[],
+                            tf_error *error)
+{
+    int zone[3 * VERTICES];
+    return tf_surface_zones(surface, vertices, position, 0, NULL, zone, NULL,
+                            NULL, error);
+}
+
 static const struct {
     const char *name;
     position_call *call;
@@ -466,6 +474,7 @@ static const struct {
     {"tf_step_resolve", resolve},
     {"tf_step_limit", limit},
     {"tf_untangle", untangle},
+    {"tf_surface_zones", find_zones},
 };
 
 START_TEST(positions_are_of_all_vertices)
@@ -576,6 +585,16 @@ static tf_status untangle_with(size_t size, const tf_parallel *parallel,
                        error);
 }
 
+static tf_status find_zones_with(size_t size, const tf_parallel *parallel,
+                                 tf_progress *progress, tf_error *error)
+{
+    int zone[3 * VERTICES];
+    tf_check_options options = {
+        .size = size, .parallel = parallel, .progress = progress};
+    return tf_surface_zones(surface, VERTICES, start, 0, &options, zone, NULL,
+                            NULL, error);
+}
+
 static const struct {
     const char *name;
     option_call *call;
@@ -583,7 +602,7 @@ static const struct {
     {"tf_surface_detect", detect_with}, {"tf_surface_candidates", list_with},
     {"tf_surface_check", check_with},   {"tf_surface_near", measure_with},
     {"tf_step_resolve", resolve_with},  {"tf_step_limit", limit_with},
-    {"tf_untangle", untangle_with},
+    {"tf_untangle", untangle_with},     {"tf_surface_zones", find_zones_with},
 };
 
 static void expect_bad_option(int which, size_t size,
@@ -1045,38 +1064,30 @@ static void untangle_without(int null)
                 NULL, NULL, NULL, NULL);
 }
 
+static void find_zones_without(int null)
+{
+    int zone[3 * VERTICES];
+    tf_surface_zones(GIVEN(0, surface), VERTICES, GIVEN(1, start), 0, NULL,
+                     GIVEN(2, zone), NULL, NULL, NULL);
+}
+
 static const null_call null_calls[] = {
-    {query_without, 4},
-    {plane_query_without, 4},
-    {edge_query_without, 5},
-    {cubic_without, 4},
-    {quadratic_without, 4},
-    {additive_without, 4},
-    {rigid_without, 4},
-    {position_without, 3},
-    {narrow_phase_without, 6},
-    {vectors_without, 6},
-    {batch_without, 3},
-    {filter_without, 2},
-    {create_without, 2},
-    {lend_without, 2},
-    {lend_triangles_without, 2},
-    {tell_without, 10},
-    {allocator_without, 2},
-    {detect_without, 3},
-    {list_without, 3},
-    {check_without, 3},
-    {measure_without, 3},
-    {find_nearest_without, 4},
-    {distance_without, 3},
-    {nearer_without, 3},
-    {resolver_without, 2},
-    {resolve_without, 3},
-    {limit_without, 4},
-    {contacts_without, 9},
-    {zone_without, 13},
-    {untangle_without, 3},
-    {NULL, 0},
+    {query_without, 4},          {plane_query_without, 4},
+    {edge_query_without, 5},     {cubic_without, 4},
+    {quadratic_without, 4},      {additive_without, 4},
+    {rigid_without, 4},          {position_without, 3},
+    {narrow_phase_without, 6},   {vectors_without, 6},
+    {batch_without, 3},          {filter_without, 2},
+    {create_without, 2},         {lend_without, 2},
+    {lend_triangles_without, 2}, {tell_without, 10},
+    {allocator_without, 2},      {detect_without, 3},
+    {list_without, 3},           {check_without, 3},
+    {measure_without, 3},        {find_nearest_without, 4},
+    {distance_without, 3},       {nearer_without, 3},
+    {resolver_without, 2},       {resolve_without, 3},
+    {limit_without, 4},          {contacts_without, 9},
+    {zone_without, 13},          {untangle_without, 3},
+    {find_zones_without, 3},     {NULL, 0},
 };
 
 Suite *suite(void)

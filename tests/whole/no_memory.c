@@ -14,6 +14,7 @@
 #include "support/watched_memory.h"
 #include "surface/candidates.h"
 #include "surface/check.h"
+#include "untangle/tangled_zones.h"
 
 #include <limits.h>
 #include <string.h>
@@ -41,7 +42,9 @@ static uint64_t examine(void)
     const tf_parallel all = scrambled_workers(&workers),
                       *parallel = in_parallel ? &all : NULL;
     const tf_check_options how_to_check = {.parallel = parallel};
-    const tf_detect_options how = {.parallel = parallel};
+    int zone[4 * SURFACE_ELEMENTS];
+    const tf_detect_options how = {
+        .size = sizeof how, .parallel = parallel, .zone = zone};
     tf_crossings crossings;
     tf_near_pairs near;
     tf_contacts contacts;
@@ -54,6 +57,10 @@ static uint64_t examine(void)
         ck_assert_int_eq(error.status, TF_OUT_OF_MEMORY);
     hash = hash_bytes(hash, crossings.crossing,
                       crossings.count * sizeof *crossings.crossing);
+    while (lacks_memory(tf_surface_zones(surface, given.mesh.vertices,
+                                         given.start, 0, &how_to_check, zone,
+                                         NULL, NULL, &error)))
+        ck_assert_int_eq(error.status, TF_OUT_OF_MEMORY);
     while (
         lacks_memory(tf_surface_near(surface, given.mesh.vertices, given.start,
                                      0.25, &how_to_check, &near, &error)))
@@ -158,7 +165,9 @@ static const double *inverse_mass; ///< NULL: 1 for all
 
 static uint64_t respond(void)
 {
+    static int zone[PROPOSAL_TRIANGLES + PROPOSAL_EDGES]; // one
     const tf_parallel parallel = scrambled_workers(&workers);
+    const tf_response_options zoned = {.size = sizeof zoned, .zone = zone};
     const tf_response_options all_levels = {.size = sizeof all_levels,
                                             .thickness = 0.05 * made.unit,
                                             .substeps = substeps,
@@ -179,6 +188,13 @@ static uint64_t respond(void)
     tf_resolver *resolver = NULL;
     while (lacks_memory(tf_resolver_create(surface, &resolver)))
         ck_assert_ptr_null(resolver);
+    memcpy(end, made.end, sizeof end);
+    while (lacks_memory(tf_step_limit(resolver, vertices, made.start, end,
+                                      &zoned, &halvings, &error)))
+        ck_assert_int_eq(error.status, TF_OUT_OF_MEMORY);
+    while (lacks_memory(tf_step_resolve(resolver, vertices, made.start, end,
+                                        NULL, &zoned, NULL, &error)))
+        ck_assert_int_eq(error.status, TF_OUT_OF_MEMORY);
     memcpy(end, made.end, sizeof end);
     while (lacks_memory(tf_step_resolve(resolver, vertices, made.start, end,
                                         inverse_mass, &all_levels, &report,

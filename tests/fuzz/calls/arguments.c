@@ -101,8 +101,9 @@ size_t any_size(generator *random, call *made, size_t known, void *later)
     size_t more = 1 + (size_t)below(random, LATER);
     if (one_in(random, 2)) {
         expect_fault(made, true, TF_BAD_OPTION);
-        size_t least = more < known ? more : 1; // no version is that small,
-        return one_in(random, 2) ? least : SIZE_MAX / least; // or that large
+        // No version has less than half of all members,
+        size_t least = more < known / 2 ? more : 1;
+        return one_in(random, 2) ? least : SIZE_MAX / least; // or so many
     }
     bool set = one_in(random, 2);
     ((unsigned char *)later)[more - 1] = set;

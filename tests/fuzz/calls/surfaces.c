@@ -240,10 +240,36 @@ static tf_motion draw_motion(generator *random, call *made, const body *of,
 
 // Detecting -------------------------------------------------------------------
 
+enum {
+    MOST_FACETS = MOST_TRIANGLES + MOST_EDGES
+};
+
+/// How many triangles there are, or in the plane edges.
+static int body_facets(const body *of)
+{
+    int count;
+    if (of->mesh.axes == 2)
+        tf_surface_edges(of->surface, &count);
+    else
+        tf_surface_triangles(of->surface, &count);
+    return count;
+}
+
+/// Draws any zones, or none.
+static const int *draw_zones(generator *random, int zone[])
+{
+    if (one_in(random, 2))
+        return NULL;
+    for (int i = 0; i < MOST_FACETS; i++)
+        zone[i] = below(random, 4) - 1;
+    return zone;
+}
+
 /// Options with room for those of a later version.
 typedef struct detect_options {
     tf_detect_options own;
     unsigned char later[LATER];
+    int zone[MOST_FACETS];
 } detect_options;
 
 /// Decides as tf_reference does, one query after another; fails when its
@@ -290,6 +316,7 @@ static void draw_usual_options(generator *random, call *made,
     own->size = any_size(random, made, sizeof *own, options->later);
     own->parallel = any_parallel(random, made, &to->workers);
     own->progress = any_progress(random, made, &to->hearing);
+    own->zone = draw_zones(random, options->zone);
 }
 
 static void draw_detect_options(generator *random, call *made,
@@ -369,9 +396,11 @@ static void judge_contacts(const call *made, const body *of,
                            const tf_detect_options *options,
                            const tf_contacts *found)
 {
-    tf_detect_options plain = {.narrow_phase = &tf_reference,
+    tf_detect_options plain = {.size = options->size ? sizeof plain : 0,
+                               .narrow_phase = &tf_reference,
                                .selection = options->selection,
-                               .arithmetic = options->arithmetic};
+                               .arithmetic = options->arithmetic,
+                               .zone = options->zone};
     tf_surface *other = body_copy(of);
     tf_contacts again;
     tf_status status = tf_surface_detect(other, motion, &plain, &again, NULL);
@@ -413,18 +442,24 @@ void call_detect(generator *random, body *of)
         return;
     }
     judge_contacts(&made, of, &motion, &options.own, &found);
-    if (options.own.selection == TF_ALL_CONTACTS && !options.own.arithmetic)
+    bool zoned = options.own.size != 0 && options.own.zone;
+    if (options.own.selection == TF_ALL_CONTACTS && !options.own.arithmetic &&
+        !zoned)
         judge_filter(&made, of, &motion, &found);
 }
 
 /// Lists again, by a new surface.
 static void judge_candidates(const call *made, const body *of,
                              const tf_motion *motion,
+                             const tf_detect_options *options,
                              const tf_candidates *found)
 {
+    tf_detect_options plain = {.size = options->size ? sizeof plain : 0,
+                               .zone = options->zone};
     tf_surface *other = body_copy(of);
     tf_candidates again;
-    tf_status status = tf_surface_candidates(other, motion, NULL, &again, NULL);
+    tf_status status =
+        tf_surface_candidates(other, motion, &plain, &again, NULL);
     require(made, status == TF_OK, "a new surface fails");
     require(made, hash_candidates(found) == hash_candidates(&again),
             "it finds other candidates than a new surface");
@@ -447,7 +482,7 @@ void call_candidates(generator *random, body *of)
     tf_status status = tf_surface_candidates(of->surface, &motion, &options.own,
                                              &found, &set.error);
     if (results_judge(random, &made, &set, &to.hearing, status))
-        judge_candidates(&made, of, &motion, &found);
+        judge_candidates(&made, of, &motion, &options.own, &found);
     else
         judge_after(random, &made, of);
 }
@@ -530,6 +565,7 @@ typedef struct response_options {
     tf_response_options own;
     unsigned char later[LATER];
     double friction[MOST_VERTICES]; ///< of each vertex
+    int zone[MOST_FACETS];
 } response_options;
 
 static bool is_within(double x, double least, double most)
@@ -634,6 +670,7 @@ static void draw_response_options(generator *random, call *made,
     own->narrow_phase = any_narrow_phase(random, made, to);
     own->parallel = any_parallel(random, made, &to->workers);
     own->progress = any_progress(random, made, &to->hearing);
+    own->zone = draw_zones(random, options->zone);
     excuse(made, TF_START_NOT_CLEAR);
 }
 
@@ -663,14 +700,18 @@ static bool has_free_vertex(const int vertex[4], const double inverse_mass[])
     return any;
 }
 
-/// Whether a step is clear, as a new surface sees it, but for what is scripted.
+/// Whether a step is clear, as a new surface sees it, but for what is scripted
+/// and what is in zones.
 static void judge_clear(const call *made, const body *of, const double start[],
-                        const double end[], const double inverse_mass[])
+                        const double end[], const double inverse_mass[],
+                        const tf_response_options *options)
 {
     tf_motion motion = {of->mesh.axes, of->mesh.vertices, start, end};
+    tf_detect_options plain = {.size = options->size ? sizeof plain : 0,
+                               .zone = options->zone};
     tf_contacts found;
     tf_surface *other = body_copy(of);
-    tf_status status = tf_surface_detect(other, &motion, NULL, &found, NULL);
+    tf_status status = tf_surface_detect(other, &motion, &plain, &found, NULL);
     require(made, status == TF_OK, "the end cannot be detected");
     for (size_t i = 0; i < found.count; i++)
         require(made, !has_free_vertex(found.contact[i].vertex, inverse_mass),
@@ -837,7 +878,8 @@ void call_resolve(generator *random, body *of)
     bool reads = options.own.size != 0;
     bool in_parts = reads && options.own.substeps > 1;
     if (!(reads && options.own.draft))
-        judge_clear(&made, of, in_parts ? end : s.start, end, inverse_mass);
+        judge_clear(&made, of, in_parts ? end : s.start, end, inverse_mass,
+                    &options.own);
     judge_scripted(&made, of, &s, inverse_mass, end, report);
     judge_flags(&made, of, &s, inverse_mass, end);
     if (!(reads && options.own.again))
@@ -875,7 +917,7 @@ void call_limit(generator *random, body *of)
                     hash_answers(0, NULL, NULL),
             "it has resolved nothing, and tells what it did");
     require(&made, halvings != 0 || whole, "a step that is clear is changed");
-    judge_clear(&made, of, s.start, end, NULL);
+    judge_clear(&made, of, s.start, end, NULL, &options.own);
 }
 
 // Untangling ------------------------------------------------------------------
@@ -954,4 +996,52 @@ void call_untangle(generator *random, body *of)
     }
     require(&made, memcmp(out, s.end, sizeof out) == 0, "the output is set");
     judge_after(random, &made, of);
+}
+
+// Zones -----------------------------------------------------------------------
+
+/// Finds them again by a new surface, and checks the start that they allow.
+static void judge_zones(const call *made, const body *of, const step *s,
+                        int rings, const int zone[], int zones)
+{
+    int again[MOST_FACETS], count, facets = body_facets(of);
+    tf_surface *other = body_copy(of);
+    tf_status status = tf_surface_zones(other, s->vertices, s->start, rings,
+                                        NULL, again, &count, NULL, NULL);
+    require(made, status == TF_OK, "a new surface fails");
+    require(made,
+            count == zones &&
+                memcmp(zone, again, sizeof *zone * (size_t)facets) == 0,
+            "it finds other zones than a new surface");
+    for (int i = 0, seen = 0; i < facets; i++) {
+        require(made, zone[i] >= -1 && zone[i] <= seen && zone[i] < zones,
+                "zones are not numbered in order");
+        seen += zone[i] == seen;
+    }
+    tf_surface_free(other);
+}
+
+void call_zones(generator *random, body *of)
+{
+    static check_options options;
+    pointed_to to;
+    step s;
+    tf_crossings found;
+    results set;
+    int zone[MOST_FACETS], zones, rings = below(random, 4) - one_in(random, 8);
+    call made = call_begin("tf_surface_zones");
+    draw_step(random, &made, of, &s);
+    made.faults &= ~((status_set)1 << TF_NOT_FINITE); // as the end alone may be
+    expect_fault(&made, !all_finite(body_numbers(of), s.start), TF_NOT_FINITE);
+    draw_check_options(random, &made, &options, &to);
+    expect_fault(&made, rings < 0, TF_BAD_OPTION);
+    break_environment(random, &made);
+    results_begin(random, &set, &found, sizeof found);
+    tf_status status =
+        tf_surface_zones(of->surface, s.vertices, s.start, rings, &options.own,
+                         zone, &zones, &found, &set.error);
+    if (results_judge(random, &made, &set, &to.hearing, status))
+        judge_zones(&made, of, &s, rings, zone, zones);
+    else
+        judge_after(random, &made, of);
 }

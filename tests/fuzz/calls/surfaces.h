@@ -33,7 +33,10 @@ void call_resolve(generator *random, body *of);
 /// limits it,
 void call_limit(generator *random, body *of);
 
-/// or untangles a position.
+/// untangles a position,
 void call_untangle(generator *random, body *of);
+
+/// or finds its zones.
+void call_zones(generator *random, body *of);
 
 #endif

@@ -1,4 +1,4 @@
-#include "program/mesh_output.h"
+#include "writers/mesh_output.h"
 
 #include "support/meshes.h"
 #include "support/program.h"
@@ -74,7 +74,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("program/mesh_output");
+    Suite *suite = suite_create("writers/mesh_output");
     TCase *tcase = tcase_create("files");
     tcase_add_checked_fixture(tcase, enter_folder, leave_folder);
     tcase_add_test(tcase, a_mesh_is_written_to_a_file);

@@ -1,5 +1,5 @@
 // Frames of meshes: their names, and what is written.
-#include "program/mesh_frame.h"
+#include "writers/mesh_frame.h"
 
 #include "formats/mesh_reader.h"
 #include "support/program.h"
@@ -55,7 +55,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("program/mesh_frame");
+    Suite *suite = suite_create("writers/mesh_frame");
     TCase *tcase = tcase_create("frames");
     tcase_add_checked_fixture(tcase, enter_folder, leave_folder);
     tcase_add_test(tcase, a_frame_has_new_positions_alone);

@@ -1,9 +1,9 @@
 //: Include what frames of meshes need
-#include "program/mesh_frame.h"
+#include "writers/mesh_frame.h"
 
 #include "files/destination.h"
-#include "program/mesh_output.h"
 #include "writers/endings.h"
+#include "writers/mesh_output.h"
 #include "writers/mesh_writer.h"
 
 #include <errno.h>

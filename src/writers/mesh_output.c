@@ -1,5 +1,5 @@
 //: Include what the output of a mesh needs
-#include "program/mesh_output.h"
+#include "writers/mesh_output.h"
 
 #include "writers/endings.h"
 #include "writers/losses.h"

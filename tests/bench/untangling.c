@@ -7,7 +7,8 @@
 // root of the mean square of all in mean edges, the edges that are stretched, in
 // percent, the seconds of processor time as a multiple of those of a check, and
 // for each rung whether it is clear without that one.  Then come, for all rungs
-// and without each, how many tangles are clear.
+// and without each, how many tangles are clear; and over those that are clear in
+// any case the means of the root mean square and of the stretched edges.
 
 #include "bench/measuring.h"
 #include "kit/tangles.h"
@@ -42,6 +43,13 @@ typedef struct tangle {
     tf_untangle_report report; ///< with all rungs
     double seconds;
 } tangle;
+
+/// What is summed over all tangles; lengths over those that are clear with any
+/// rung left out.
+typedef struct sums {
+    int clear[WAYS], always;
+    double deviation[WAYS], stretched[WAYS];
+} sums;
 
 static tf_untangle_report untangle(tangle *t, int without)
 {
@@ -109,13 +117,30 @@ static void print_report(const tangle *t, double check)
     print(t, "checks", t->seconds / check, "");
 }
 
-/// With all rungs, then without each; counts those that end clear.
-static void measure(tangle *t, int clear[WAYS])
+static void add_lengths(sums *all, const tf_untangle_report report[WAYS],
+                        int edges)
 {
+    for (int way = 0; way < WAYS; way++)
+        if (report[way].left > 0)
+            return;
+    all->always++;
+    for (int way = 0; way < WAYS; way++) {
+        all->deviation[way] += report[way].deviation / report[way].edge;
+        all->stretched[way] += 100.0 * report[way].stretched / edges;
+    }
+}
+
+/// With all rungs, then without each.
+static void measure(tangle *t, sums *all)
+{
+    tf_untangle_report reports[WAYS];
+    int edges;
     begin(t);
+    tf_surface_edges(t->surface, &edges);
     for (int way = 0; way < WAYS; way++) {
         tf_untangle_report report = untangle(t, ways[way].without);
-        clear[way] += report.left == 0;
+        reports[way] = report;
+        all->clear[way] += report.left == 0;
         if (way == 0) {
             t->report = report;
             print_report(t, check_seconds(t));
@@ -126,18 +151,26 @@ static void measure(tangle *t, int clear[WAYS])
         }
         fflush(stdout);
     }
+    add_lengths(all, reports, edges);
     end(t);
 }
 
 int main(void)
 {
-    int clear[WAYS] = {0}, count = 0;
+    sums all = {0};
+    int count = 0;
     while (fig_tangle_name(count)) {
         tangle t = {.name = fig_tangle_name(count++)};
-        measure(&t, clear);
+        measure(&t, &all);
     }
     printf("tangles,%d,\n", count);
-    for (int way = 0; way < WAYS; way++)
-        printf("clear %s,%d,\n", ways[way].name, clear[way]);
+    printf("always clear,%d,\n", all.always);
+    for (int way = 0; way < WAYS; way++) {
+        const char *name = ways[way].name;
+        printf("clear %s,%d,\n", name, all.clear[way]);
+        printf("deviation %s,%.4g,edges\n", name,
+               all.deviation[way] / all.always);
+        printf("stretched %s,%.4g,%%\n", name, all.stretched[way] / all.always);
+    }
     return 0;
 }

@@ -69,13 +69,25 @@ static bool has(const trial *tried, int facet, int vertices, const int vertex[])
     return true;
 }
 
-/// Whether a facet is at an element of a crossing.
+/// Whether an element belongs to a facet; that of a rod does not.
+static bool has_facet(const trial *tried, int vertices, const int vertex[])
+{
+    for (int f = 0; f < facets_of(tried); f++)
+        if (has(tried, f, vertices, vertex))
+            return true;
+    return false;
+}
+
+/// Whether a facet is at an element of a crossing, of which both have facets.
 static bool is_at(const trial *tried, int facet, const tf_crossing *crossing)
 {
     int first = crossing->kind == TF_POINT_ON_TRIANGLE ? 1 : 2;
     int second = crossing->kind == TF_EDGE_ON_EDGE ? 2 : 3;
-    return has(tried, facet, first, crossing->vertex) ||
-           has(tried, facet, second, crossing->vertex + first);
+    const int *other = crossing->vertex + first;
+    return (has(tried, facet, first, crossing->vertex) ||
+            has(tried, facet, second, other)) &&
+           has_facet(tried, first, crossing->vertex) &&
+           has_facet(tried, second, other);
 }
 
 static bool touch(const trial *tried, int a, int b)

@@ -150,9 +150,9 @@ END_TEST
 
 START_TEST(joined_fields_are_in_order)
 {
-    static const tf_field first = TF_FIELD("first", sample, integer);
+    static const tf_field first[] = {TF_FIELD("first", sample, integer), {0}};
     tf_field all[8];
-    tf_fields_join(all, &first, fields);
+    tf_fields_join(all, first, fields);
     FILE *stream = open_memstream(&text, &length);
     tf_record_write_head(stream, all);
     expect_text(stream, "first,a_count,integer,number,rounded,empty,word\n");

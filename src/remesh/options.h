@@ -59,7 +59,8 @@ typedef struct tf_remesh_options {
                            ///< by more than half of the distance; NULL: `edge`
     double error; ///< how far the new surface may be from the old one, or the
                   ///< old from the new, at most; triangles are as large as
-                  ///< that allows; 0: as their edges say
+                  ///< that allows; at least 2^-36 of the diagonal of the box
+                  ///< around the surface; 0: as their edges say
 } tf_remesh_options;
 
 /// @}

@@ -197,8 +197,11 @@ static tf_status read_lengths(tf_remesh_options *own,
                               const tf_adaptive_surface *surface,
                               tf_error *error)
 {
-    if (!(own->error >= 0) || !isfinite(own->error))
-        return tf_fail_option(error, "error", "0 or more", own->error);
+    if (!(own->error >= 0) || !isfinite(own->error) ||
+        (own->error > 0 && own->error < 0x1p-36 * extent_of(surface)))
+        return tf_fail_option(error, "error",
+                              "0, or at least 2^-36 of the surface's extent",
+                              own->error);
     for (int v = 0; own->lengths && v < surface->vertices; v++)
         if (!(own->lengths[v] > 0) || !isfinite(own->lengths[v]))
             return tf_fail_vertex_option(error, "lengths", "above 0", v,

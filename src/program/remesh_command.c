@@ -58,10 +58,7 @@ static bool read_lengths(remeshing *r)
     const tf_mesh_file *file = tf_frames_file(&r->frames);
     size_t vertices = (size_t)tf_mesh_file_elements(file, 3).vertices;
     if (!wanted->lengths)
-        return wanted->edge > 0 || wanted->error > 0 ||
-               tf_fault_set(&r->frames.fault, "remesh", -1,
-                            "how long edges are to be is missing; give --edge, "
-                            "--lengths or --error");
+        return true;
     r->length = calloc(vertices + 1, sizeof *r->length);
     if (!r->length)
         return tf_mesh_file_fault_in_memory(file);
@@ -181,6 +178,9 @@ static bool do_all(remeshing *r)
 //: Run the command remesh
 static int run(const tf_request *request)
 {
+    if (request->edge == 0 && request->error == 0 && !request->lengths)
+        tf_request_refuse(request, "--edge L, --lengths FILE or --error D is "
+                                   "required: how long edges should be");
     remeshing r = {.request = request,
                    .progress = tf_progress_line_begin(true)};
     r.frames.columns = &r.columns;

@@ -88,6 +88,47 @@ START_TEST(floats_of_stl_are_told)
 }
 END_TEST
 
+START_TEST(edges_are_kept)
+{
+    make_file("kept", "# the diagonal, and a corner of it\n0 2\n0\n");
+    ck_assert_int_eq(
+        run("$tf remesh square.obj -o out.obj -e 0.3 --keep kept").status, 0);
+    make_file("none", "1 3\n");
+    expect(run("$tf remesh square.obj -o out.obj -e 0.3 --keep none"), 2, "",
+           "tanglefree: none: no edge joins the vertices 1 and 3; keep edges "
+           "that the mesh has\n");
+    expect(run("$tf remesh square.obj -o out.obj -e 0.3 --keep nowhere"), 2, "",
+           "tanglefree: nowhere: No such file or directory\n");
+}
+END_TEST
+
+START_TEST(lengths_come_from_a_file)
+{
+    make_file("lengths", "0.1 0.1\n1\n1\n");
+    outcome found = run("$tf remesh square.obj -o out.obj --lengths lengths");
+    ck_assert_str_eq(found.err, "");
+    ck_assert_int_eq(found.status, 0);
+    ck_assert_int_gt(occurrences(file_text("out.obj"), "f "), 40);
+    make_file("few", "0.1 0.1\n1\n");
+    expect(run("$tf remesh square.obj -o out.obj --lengths few"), 2, "",
+           "tanglefree: few: the number of lengths is 3, but there are 4 "
+           "vertices; write one for each, in their order\n");
+}
+END_TEST
+
+START_TEST(a_distance_is_kept)
+{
+    outcome found = run("$tf remesh square.obj -o out.obj --error 0.01");
+    ck_assert_str_eq(found.err, "");
+    ck_assert_int_eq(found.status, 0);
+    expect_words(found.out, "distance at most: 0\n");
+    ck_assert_int_eq(occurrences(file_text("out.obj"), "f "), 2);
+    expect(run("$tf remesh square.obj -o out.obj --error 1e-20"), 2, "",
+           "tanglefree: square.obj: --error 1e-20 can't be kept; give a larger "
+           "one\n");
+}
+END_TEST
+
 /// A square with colors, a label and a linear function of x and y.
 #define PROPERTIES                                                             \
     "property uchar red\nproperty double x\nproperty double y\n"               \
@@ -177,8 +218,8 @@ START_TEST(bad_arguments_are_refused)
                  "tanglefree remesh: --output OUT is required: where to write "
                  "the new mesh\n");
     expect_usage("remesh square.obj -o out",
-                 "tanglefree remesh: --edge L is required: the length that "
-                 "edges should have\n");
+                 "tanglefree remesh: --edge L, --lengths FILE or --error D is "
+                 "required: how long edges should be\n");
     expect_usage(
         "remesh square.obj -o out -e 0",
         "tanglefree remesh: --edge must be a number above 0, got '0'\n");
@@ -229,6 +270,9 @@ Suite *suite(void)
     tcase_add_test(tcase, a_mesh_goes_from_and_to_a_pipe);
     tcase_add_test(tcase, the_ending_chooses_the_format);
     tcase_add_test(tcase, what_new_triangles_lose_is_said);
+    tcase_add_test(tcase, edges_are_kept);
+    tcase_add_test(tcase, lengths_come_from_a_file);
+    tcase_add_test(tcase, a_distance_is_kept);
     tcase_add_test(tcase, floats_of_stl_are_told);
     tcase_add_test(tcase, what_vertices_have_is_carried_over);
     tcase_add_test(tcase, colors_of_obj_are_carried_over);

@@ -99,7 +99,8 @@ START_TEST(edges_are_kept)
            "tanglefree: none: no edge joins the vertices 1 and 3; keep edges "
            "that the mesh has\n");
     expect(run("$tf remesh square.obj -o out.obj -e 0.3 --keep nowhere"), 2, "",
-           "tanglefree: nowhere: No such file or directory\n");
+           "tanglefree: nowhere: cannot open: No such file or directory; check "
+           "the name\n");
 }
 END_TEST
 

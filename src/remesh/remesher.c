@@ -17,7 +17,10 @@ void tf_remesher_free(tf_remesher *remesher)
 
 size_t tf_remesher_memory(const tf_remesher *remesher)
 {
-    return remesher->row.bytes + tf_sort_memory_bytes(&remesher->sorting);
+    const tf_sharp_edges *sharp = &remesher->sharp;
+    return remesher->row.bytes + remesher->map.bytes + sharp->first.bytes +
+           sharp->link.bytes + sharp->held.bytes +
+           tf_sort_memory_bytes(&remesher->sorting);
 }
 
 void tf_remesher_count(tf_remesher *remesher, tf_operation operation,

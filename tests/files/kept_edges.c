@@ -62,7 +62,7 @@ static void expect_refused(const char *text, long line, const char *words)
 START_TEST(bad_lines_are_refused)
 {
     expect_refused("0 1\n9 2\n", 2,
-                   "there is no vertex '9'; they are numbered from 0 to 8");
+                   "there is no vertex 9; they are numbered from 0 to 8");
     expect_refused("1 -2\n", 1,
                    "'-2' is not a vertex; write its number, from 0");
     expect_refused("x\n", 1, "'x' is not a vertex; write its number, from 0");

@@ -142,7 +142,7 @@ START_TEST(what_is_usual_is_set)
     ck_assert_ptr_eq(request.solver, &tf_gauss_seidel);
     ck_assert_int_eq(*request.format, TF_SUMMARY);
     tf_request_begin(&request, TF_REMESH);
-    ck_assert_int_eq(request.rounds, 5);
+    ck_assert_int_eq(request.rounds, 0);
     ck_assert_ptr_null(request.out);
 }
 END_TEST

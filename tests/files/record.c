@@ -148,9 +148,10 @@ START_TEST(a_report_is_lines_or_an_object_or_a_table)
 }
 END_TEST
 
+static const tf_field first[] = {TF_FIELD("first", sample, integer), {0}};
+
 START_TEST(joined_fields_are_in_order)
 {
-    static const tf_field first[] = {TF_FIELD("first", sample, integer), {0}};
     tf_field all[8];
     tf_fields_join(all, first, fields);
     FILE *stream = open_memstream(&text, &length);

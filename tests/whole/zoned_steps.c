@@ -9,8 +9,8 @@
 START_TEST(steps_stay_clear_outside_of_zones)
 {
     zoned_counts counts = {0};
-    for (long number = 0, wanted = cases(300); counts.steps < wanted;
-         number++) {
+    for (long number = 0, wanted = cases_at_least(300, 300);
+         counts.steps < wanted; number++) {
         const char *fault = zoned_fault(number, false, &counts);
         ck_assert_msg(!fault, "%s", fault);
     }
@@ -24,7 +24,8 @@ END_TEST
 START_TEST(a_weaker_rule_is_found_out)
 {
     zoned_counts counts = {0};
-    for (long number = 0, wanted = cases(100); counts.steps < wanted; number++)
+    for (long number = 0, wanted = cases_at_least(100, 100);
+         counts.steps < wanted; number++)
         zoned_fault(number, true, &counts);
     zoned_counts_print(&counts);
     ck_assert_int_gt(10 * counts.faulty, counts.steps);

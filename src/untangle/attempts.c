@@ -42,7 +42,7 @@ static void copy(const tf_attempts *all, double to[], const double from[])
 }
 
 /// Judges x, of which the tangle was checked last.
-static void judge(tf_attempts *all)
+static void judge_round(tf_attempts *all)
 {
     size_t count = all->tangle.crossings.count;
     if (count < all->fewest) {
@@ -57,7 +57,7 @@ static tf_status judge_state(tf_attempts *all)
 {
     tf_status status = tf_tangle_check(&all->tangle, all->x);
     if (status == TF_OK)
-        judge(all);
+        judge_round(all);
     return status;
 }
 
@@ -84,7 +84,7 @@ static tf_status step(tf_attempts *all, tf_untangle_rung rung, int rings)
     status = tf_tangle_follow(&all->tangle, all->next, all->x);
     if (status != TF_OK)
         return status;
-    judge(all);
+    judge_round(all);
     if (!moved)
         all->idle = IDLE_ROUNDS + 1;
     return TF_OK;

@@ -69,7 +69,7 @@ static size_t answer(const tf_tangle *tangle, const tf_scope *scope,
         tf_surface_contact own = contacts->contact[i];
         int corners = own.vertex[3] < 0 ? 3 : 4;
         if (tangle->patch.is_used)
-            tf_patch_name(&tangle->patch, corners, own.vertex);
+            tf_near_patch_name(&tangle->patch, corners, own.vertex);
         if (tf_scope_has(scope, &tangle->near, &own))
             continue;
         count++;
@@ -97,11 +97,11 @@ static tf_motion motion_of(tf_tangle *tangle, const double x[],
                            const double to[])
 {
     const tf_neighbors *all = &tangle->near;
-    tf_patch *patch = &tangle->patch;
+    tf_near_patch *patch = &tangle->patch;
     if (!patch->is_used)
         return (tf_motion){all->axes, all->vertices, x, to};
-    tf_patch_gather(patch, all, x, patch->start);
-    tf_patch_gather(patch, all, to, patch->end);
+    tf_near_patch_gather(patch, all, x, patch->start);
+    tf_near_patch_gather(patch, all, to, patch->end);
     return (tf_motion){all->axes, patch->vertices, patch->start, patch->end};
 }
 
@@ -112,7 +112,7 @@ static tf_status find_contacts(tf_tangle *tangle, const double x[],
                                tf_contacts *contacts)
 {
     tf_motion motion = motion_of(tangle, x, to);
-    tf_patch *patch = &tangle->patch;
+    tf_near_patch *patch = &tangle->patch;
     tf_contact_search search = {.surface = patch->is_used ? patch->surface
                                                           : tangle->surface,
                                 .motion = &motion,
@@ -151,17 +151,18 @@ static tf_status limit(tf_tangle *tangle, const tf_scope *scope,
 tf_status tf_limit_moves(tf_tangle *tangle, const tf_scope *scope,
                          const double x[], tf_vector move[], double to[])
 {
-    tf_patch *patch = &tangle->patch;
-    tf_patch_source source = {tangle->surface, &tangle->near, tangle->edge};
+    tf_near_patch *patch = &tangle->patch;
+    tf_near_patch_source source = {tangle->surface, &tangle->near,
+                                   tangle->edge};
     size_t bytes = (size_t)tangle->near.vertices * sizeof *move;
-    tf_status status = tf_patch_find(patch, &source, x, move);
+    tf_status status = tf_near_patch_find(patch, &source, x, move);
     if (status != TF_OK || !patch->is_used)
         return status != TF_OK ? status : limit(tangle, scope, x, move, to);
     if (!tf_buffer_reserve(&tangle->moves, bytes, 1))
         return TF_OUT_OF_MEMORY;
     memcpy(tangle->moves.data, move, bytes);
     status = limit(tangle, scope, x, move, to);
-    if (status != TF_OK || tf_patch_covers(patch, &tangle->near, x, to))
+    if (status != TF_OK || tf_near_patch_covers(patch, &tangle->near, x, to))
         return status;
     patch->is_used = false;
     memcpy(move, tangle->moves.data, bytes);

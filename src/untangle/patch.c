@@ -60,7 +60,7 @@ static bool moves(const tf_vector move[], element own)
 }
 
 /// The box of an element and of its end, with some room around.
-static tf_cell_box box_on_the_way(const tf_patch_source *source,
+static tf_cell_box box_on_the_way(const tf_near_patch_source *source,
                                   const double x[], const tf_vector move[],
                                   element own)
 {
@@ -76,7 +76,7 @@ static tf_cell_box box_on_the_way(const tf_patch_source *source,
     return box;
 }
 
-static bool fill_cells(tf_patch *patch, const tf_patch_source *source,
+static bool fill_cells(tf_near_patch *patch, const tf_near_patch_source *source,
                        const double x[], const tf_vector move[])
 {
     const tf_neighbors *near = source->near;
@@ -103,7 +103,7 @@ typedef struct cut {
     int triangles, edges, particles;
 } cut;
 
-static bool reserve(tf_patch *patch, const tf_neighbors *near, cut *own)
+static bool reserve(tf_near_patch *patch, const tf_neighbors *near, cut *own)
 {
     size_t v = (size_t)near->vertices, t = (size_t)near->triangles;
     size_t e = (size_t)near->edges, coordinates = (size_t)near->axes * v;
@@ -134,7 +134,7 @@ static void add_element(cut *own, element next)
 }
 
 /// All that reach the cells.
-static void list_elements(const tf_patch *patch, const tf_neighbors *near,
+static void list_elements(const tf_near_patch *patch, const tf_neighbors *near,
                           const double x[], cut *own)
 {
     int count = count_all(near), vertex = 0;
@@ -154,7 +154,7 @@ static void renumber(const cut *own, int count, int corner[])
         corner[i] = own->place[corner[i]];
 }
 
-static void number_vertices(tf_patch *patch, const tf_neighbors *near,
+static void number_vertices(tf_near_patch *patch, const tf_neighbors *near,
                             const cut *own)
 {
     patch->vertices = 0;
@@ -182,7 +182,8 @@ static bool is_small(const tf_neighbors *near, const cut *own)
 }
 
 /// Makes the surface of a cut, in the memory of the last one.
-static tf_status make_surface(tf_patch *patch, const tf_patch_source *source,
+static tf_status make_surface(tf_near_patch *patch,
+                              const tf_near_patch_source *source,
                               const cut *own)
 {
     tf_mesh mesh = {source->near->axes, patch->vertices, own->triangles,
@@ -197,8 +198,9 @@ static tf_status make_surface(tf_patch *patch, const tf_patch_source *source,
     return status;
 }
 
-tf_status tf_patch_find(tf_patch *patch, const tf_patch_source *source,
-                        const double x[], const tf_vector move[])
+tf_status tf_near_patch_find(tf_near_patch *patch,
+                             const tf_near_patch_source *source,
+                             const double x[], const tf_vector move[])
 {
     cut own = {.triangles = 0};
     patch->is_used = false;
@@ -216,7 +218,7 @@ tf_status tf_patch_find(tf_patch *patch, const tf_patch_source *source,
     return status;
 }
 
-void tf_patch_free(tf_patch *patch)
+void tf_near_patch_free(tf_near_patch *patch)
 {
     tf_surface_free(patch->surface);
     tf_cells_free(&patch->cells);
@@ -226,14 +228,14 @@ void tf_patch_free(tf_patch *patch)
 }
 
 //: Translate between a patch and the whole surface
-void tf_patch_gather(const tf_patch *patch, const tf_neighbors *near,
-                     const double x[], double own[])
+void tf_near_patch_gather(const tf_near_patch *patch, const tf_neighbors *near,
+                          const double x[], double own[])
 {
     for (int v = 0; v < patch->vertices; v++)
         tf_put(near, own, v, tf_place(near, x, patch->vertex[v]));
 }
 
-void tf_patch_name(const tf_patch *patch, int count, int vertex[])
+void tf_near_patch_name(const tf_near_patch *patch, int count, int vertex[])
 {
     for (int i = 0; i < count; i++)
         if (vertex[i] >= 0)
@@ -251,8 +253,8 @@ static bool stays(const tf_neighbors *near, const double x[], const double to[],
     return true;
 }
 
-bool tf_patch_covers(const tf_patch *patch, const tf_neighbors *near,
-                     const double x[], const double to[])
+bool tf_near_patch_covers(const tf_near_patch *patch, const tf_neighbors *near,
+                          const double x[], const double to[])
 {
     int count = count_all(near), vertex = 0;
     for (int i = 0; i < count; i++) {

@@ -23,7 +23,7 @@ void tf_tangle_end(tf_tangle *tangle)
     tf_buffer_free(&tangle->listed);
     tf_buffer_free(&tangle->merged);
     tf_pair_cache_free(&tangle->pairs);
-    tf_patch_free(&tangle->patch);
+    tf_near_patch_free(&tangle->patch);
 }
 
 //: Check a tangle
@@ -89,7 +89,7 @@ static size_t merge(const tf_tangle *tangle, const double from[],
     size_t count = 0, old = 0;
     for (size_t i = 0; i < found->count; i++) {
         tf_crossing own = found->crossing[i];
-        tf_patch_name(&tangle->patch, 5, own.vertex);
+        tf_near_patch_name(&tangle->patch, 5, own.vertex);
         if (!has_moved(&tangle->near, from, x, &own))
             continue;
         for (; old < last->count && precedes(&last->crossing[old], &own); old++)
@@ -106,11 +106,11 @@ static size_t merge(const tf_tangle *tangle, const double from[],
 tf_status tf_tangle_follow(tf_tangle *tangle, const double from[],
                            const double x[])
 {
-    tf_patch *patch = &tangle->patch;
+    tf_near_patch *patch = &tangle->patch;
     if (!patch->is_used)
         return tf_tangle_check(tangle, x);
     tf_crossings found;
-    tf_patch_gather(patch, &tangle->near, x, patch->end);
+    tf_near_patch_gather(patch, &tangle->near, x, patch->end);
     tf_status status =
         check(tangle, patch->surface, patch->vertices, patch->end, &found);
     if (status != TF_OK)

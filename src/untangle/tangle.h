@@ -21,7 +21,7 @@ typedef struct tf_tangle {
     double *edge_at;        ///< of each vertex: that of its edges
     tf_crossings crossings; ///< of the last check
     tf_pair_cache pairs;    ///< of the last limit
-    tf_patch patch;         ///< of the last limit
+    tf_near_patch patch;    ///< of the last limit
     tf_buffer lengths, moves;
     tf_buffer listed, merged; ///< crossings
 } tf_tangle;

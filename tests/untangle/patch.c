@@ -169,18 +169,18 @@ START_TEST(a_patch_knows_what_leaves_it)
                      (double[]){0, 0, 0});
     tangle_finish(&own);
     const tf_neighbors *near = &own.tangle.near;
-    tf_patch patch = {.is_used = false};
-    tf_patch_source source = {own.surface, near, own.tangle.edge};
+    tf_near_patch patch = {.is_used = false};
+    tf_near_patch_source source = {own.surface, near, own.tangle.edge};
     memset(move, 0, sizeof move);
     move[0].x[2] = 0.5;
-    ck_assert_int_eq(tf_patch_find(&patch, &source, own.x, move), TF_OK);
+    ck_assert_int_eq(tf_near_patch_find(&patch, &source, own.x, move), TF_OK);
     ck_assert(patch.is_used);
     memcpy(to, own.x, sizeof to);
     to[2] = 0.5;
-    ck_assert(tf_patch_covers(&patch, near, own.x, to));
+    ck_assert(tf_near_patch_covers(&patch, near, own.x, to));
     to[3 * 399] += 0.001;
-    ck_assert(!tf_patch_covers(&patch, near, own.x, to));
-    tf_patch_free(&patch);
+    ck_assert(!tf_near_patch_covers(&patch, near, own.x, to));
+    tf_near_patch_free(&patch);
     tangle_free(&own);
 }
 END_TEST

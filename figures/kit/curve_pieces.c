@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// Where an edge of the one triangle passes through the other.
+/// Where an edge of one triangle passes through another triangle.
 typedef struct passage {
     int triangle[2]; ///< the first one is before the second
     int crossing;

@@ -86,7 +86,7 @@ static range range_of(const tf_cells *cells, const tf_cell_box *box)
 }
 
 //: Go through the corners of a range
-/// Bit k of a corner's number tells whether it is at the end along axis k; the
+/// A corner is at the end along axis k if bit k of its number is set; the
 /// sign is that of inclusion and exclusion.
 static int *corner_of(const tf_cells *cells, const range *own, int corner,
                       int *sign)

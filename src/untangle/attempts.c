@@ -130,7 +130,7 @@ static tf_status start(tf_attempts *all, const double from[])
 }
 
 //: Extend an attempt
-/// Until when an attempt goes on, unless it halves its crossings before.
+/// Until when an attempt goes on, unless it may extend it.
 typedef struct span {
     int end;
     size_t half;
@@ -144,7 +144,7 @@ static span begin_span(const tf_attempts *all)
 
 static bool goes_on(const tf_attempts *all, span *own)
 {
-    if (all->few <= own->half)
+    if (all->extends && all->few <= own->half)
         *own = begin_span(all);
     return !is_done(all) && all->rounds < own->end;
 }

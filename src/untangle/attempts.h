@@ -9,6 +9,8 @@
 typedef struct tf_attempts {
     tf_tangle tangle;
     const tf_untangle_options *options;
+    bool extends; ///< an attempt has as many rounds again whenever it has
+                  ///< halved its crossings
     tf_push push;
     tf_change change;
     tf_scope scope;

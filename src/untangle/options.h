@@ -35,9 +35,9 @@ typedef struct tf_untangle_options {
                  ///< introduced it
     const bool *fixed; ///< which vertices stay where they are, one for each
                        ///< vertex; NULL: none
-    int rounds;  ///< the most rounds in which an attempt does not halve its
-                 ///< intersections; there are at most three attempts before
-                 ///< everything is smoothed; 0: 300
+    int rounds;  ///< the most rounds of an attempt, of which there are at most
+                 ///< three before everything is smoothed; 0: 300, and as many
+                 ///< again whenever an attempt has halved its intersections
     int without; ///< the sum of the rungs that are left out
     const tf_parallel *parallel; ///< NULL: the caller's thread alone
     tf_progress *progress;       ///< NULL: nothing is told

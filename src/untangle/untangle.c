@@ -76,6 +76,7 @@ static bool begin(untangling *own, int vertices, const double in[])
     tangle->fixed = own->fixed;
     tangle->in = own->in;
     own->attempts.options = &own->options;
+    own->attempts.extends = own->options.rounds <= 0;
     size_t size = own->coordinates * sizeof *in;
     memcpy(own->attempts.best, own->in, size);
     memcpy(own->attempts.next, in, size);

@@ -9,11 +9,13 @@
 static made_tangle own;
 static tf_attempts attempts;
 static double x[3][3 * TANGLE_VERTICES];
+static bool extends;
 
 static void try_all(const tf_untangle_options *options)
 {
     tangle_finish(&own);
-    attempts = (tf_attempts){.tangle = own.tangle, .options = options};
+    attempts = (tf_attempts){
+        .tangle = own.tangle, .options = options, .extends = extends};
     attempts.x = x[0];
     attempts.next = x[1];
     attempts.best = x[2];
@@ -97,12 +99,26 @@ END_TEST
 START_TEST(an_attempt_goes_on_while_it_halves_its_crossings)
 {
     int without = 2 * TF_RUNG_RETURN - 1 - TF_RUNG_PUSH;
+    extends = true;
     for (int rounds = 1; rounds <= 5; rounds += 4) {
         tangle_make_bump(&own, 3);
         try_all(&(tf_untangle_options){.rounds = rounds, .without = without});
         bool halves = 2 * attempts.fewest <= crossings_of(own.x);
         ck_assert_int_eq(halves, rounds == 5);
         ck_assert_int_eq(attempts.rounds > rounds, halves);
+        release();
+    }
+    extends = false;
+}
+END_TEST
+
+START_TEST(no_attempt_has_more_rounds_than_the_caller_gives_it)
+{
+    int without = 2 * TF_RUNG_RETURN - 1 - TF_RUNG_PUSH;
+    for (int rounds = 1; rounds <= 5; rounds += 4) {
+        tangle_make_bump(&own, 3);
+        try_all(&(tf_untangle_options){.rounds = rounds, .without = without});
+        ck_assert_int_eq(attempts.rounds, rounds);
         release();
     }
 }
@@ -129,6 +145,7 @@ Suite *suite(void)
     tcase_add_test(tcase, without_all_rungs_nothing_moves);
     tcase_add_test(tcase, the_best_state_is_kept);
     tcase_add_test(tcase, an_attempt_goes_on_while_it_halves_its_crossings);
+    tcase_add_test(tcase, no_attempt_has_more_rounds_than_the_caller_gives_it);
     tcase_add_test(tcase, what_is_beyond_help_is_not_tried);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -127,9 +127,12 @@ $(BUILD)/figures/%-light.png: $(BUILD)/drawing/program
 $(BUILD)/figures/%-dark.png: $(BUILD)/drawing/program
 	$(call picture,dark)
 
-# The films of the book.
+# The films of the book, in at most 256 colors, which divides their bytes by
+# two or three.
 film = @echo 'film    $@' && mkdir -p $(@D) && $< figure $* --theme $(1) \
-	--frames 49 --animate $@ >/dev/null
+	--frames 49 --animate $(@D)/full-$(@F) >/dev/null && \
+	OMP_NUM_THREADS=1 pngquant --nofs --force --output $@ 256 \
+	$(@D)/full-$(@F) && rm $(@D)/full-$(@F)
 $(BUILD)/films/%-light.png: $(BUILD)/drawing/program
 	$(call film,light)
 $(BUILD)/films/%-dark.png: $(BUILD)/drawing/program

@@ -192,7 +192,7 @@ static bool jumps(const fig_journey *all, int state)
 /// has passed.  The input is seen for a while.
 static int state_at(const fig_journey *all, double time, double *part)
 {
-    double hold = all->states / 8.0;
+    double hold = all->states / 16.0;
     double at = fmax(time * (all->states - 1 + hold) - hold, 0);
     int state = (int)fmin(floor(at), all->states - 2);
     *part = jumps(all, state) ? floor(at - state + 0.5) : at - state;

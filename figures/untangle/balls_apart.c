@@ -9,7 +9,7 @@ static void draw(fig_page *page, FILE *numbers)
     const fig_journey *all = fig_journey_of("six balls", TF_RUNG_APART);
     double t = fig_film_time(page, numbers, 0.16, -1);
     double height = fig_page_height(page);
-    fig_journey_draw(page, (fig_box){0, 2, 200, height - 4}, all, t);
+    fig_journey_draw(page, (fig_box){0, 2, 180, height - 4}, all, t);
     fig_journey_plot(page, (fig_box){270, 14, 106, height - 14 - FIG_PLOT_ROOM},
                      all, t, "jump, and steps");
     fig_number(numbers, "before", (double)all->crossings);
@@ -22,7 +22,7 @@ const fig_figure fig_balls_apart = {
     .name = "balls-apart",
     .title = "Six balls jump apart, and go home",
     .width = FIG_PAGE_WIDTH,
-    .height = 126,
+    .height = 98,
     .moves = true,
     .draw = draw,
 };

@@ -9,7 +9,7 @@ static void draw(fig_page *page, FILE *numbers)
     const fig_journey *all = fig_journey_of("fold", TF_RUNG_SMOOTH);
     double t = fig_film_time(page, numbers, 0.39, -1);
     double height = fig_page_height(page);
-    fig_journey_draw(page, (fig_box){0, 2, 218, height - 4}, all, t);
+    fig_journey_draw(page, (fig_box){0, 2, 168, height - 4}, all, t);
     fig_journey_plot(page, (fig_box){270, 14, 106, height - 14 - FIG_PLOT_ROOM},
                      all, t, "rounds, steps");
     fig_number(numbers, "before", (double)all->crossings);
@@ -23,7 +23,7 @@ const fig_figure fig_relaxed_fold = {
     .name = "relaxed-fold",
     .title = "A fold is relaxed, and goes home",
     .width = FIG_PAGE_WIDTH,
-    .height = 170,
+    .height = 130,
     .moves = true,
     .draw = draw,
 };

@@ -163,7 +163,8 @@ void fig_remesh(const fig_some_mesh *mesh, double edge, int rounds,
     TF_REQUIRE(tf_adaptive_create(&given, mesh->x, &original, NULL) == TF_OK);
     TF_REQUIRE(tf_original_begin(&remesher.original, original, NULL) == TF_OK);
     const tf_sharpness sharpness = {.cosine = 0x1.d0p-1, .depth = INFINITY};
-    TF_REQUIRE(tf_sharp_edges_find(&remesher.sharp, original, &sharpness));
+    TF_REQUIRE(tf_sharp_edges_find(&remesher.sharp, original, &sharpness,
+                                   NULL) == TF_OK);
     *remeshing = (fig_remeshing){0};
     if (tangled)
         leave_out(1U << TF_OVERLAPPED | 1U << TF_PASSED_VERTEX |

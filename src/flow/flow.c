@@ -64,9 +64,9 @@ static tf_status improve(tf_flow *flow, const tf_flow_options *options)
     tf_watch *watch = flow->draft.watch;
     tf_watch_stage(watch, "copying", 0);
     tf_status status = tf_draft_begin(&flow->draft, flow->surface, watch);
-    if (status == TF_OK && !tf_sharp_edges_find(&remesher->sharp, &flow->draft,
-                                                &tf_sharp_boundary))
-        status = TF_OUT_OF_MEMORY;
+    if (status == TF_OK)
+        status = tf_sharp_edges_find(&remesher->sharp, &flow->draft,
+                                     &tf_sharp_boundary, watch);
     if (status == TF_OK)
         status = tf_remesh_round(remesher);
     memcpy(flow->report.tried, remesher->report.tried,

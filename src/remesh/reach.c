@@ -21,6 +21,7 @@ typedef struct piece {
 typedef struct reach_search {
     tf_original *original;
     double fine;
+    tf_watch *watch;
     int pieces; ///< so far
     tf_reach found;
 } reach_search;
@@ -154,8 +155,15 @@ static bool divide(const piece *whole, const tf_shape *below, tf_vector middle,
     return cut(whole, &plane, part);
 }
 
+enum {
+    WATCHED = 16 ///< pieces, or triangles, between two looks at the watch
+};
+
 static void enclose(reach_search *search, const piece *whole, int cuts)
 {
+    if (search->pieces % WATCHED == WATCHED - 1 &&
+        !tf_watch_done(search->watch, 0))
+        return;
     tf_vector middle = middle_of(whole);
     tf_projection below = tf_original_project(search->original, middle);
     tf_shape shape =
@@ -176,9 +184,9 @@ static void enclose(reach_search *search, const piece *whole, int cuts)
 
 //: Enclose the reach of a triangle
 tf_reach tf_triangle_reach(tf_original *original, const tf_shape *triangle,
-                           double fine)
+                           double fine, tf_watch *watch)
 {
-    reach_search search = {.original = original, .fine = fine};
+    reach_search search = {.original = original, .fine = fine, .watch = watch};
     piece whole = {.corners = 3};
     memcpy(whole.corner, triangle->corner, sizeof triangle->corner);
     for (int i = 0; i < 3; i++) {
@@ -198,12 +206,12 @@ tf_reach tf_surface_reach(tf_original *original,
 {
     tf_reach all = {0};
     for (int t = 0; t < surface->triangles; t++) {
-        if (t % 16 == 0 && !tf_watch_done(watch, 16))
+        if (t % WATCHED == 0 && !tf_watch_done(watch, WATCHED))
             return all;
         if (!tf_is_triangle(surface, t))
             continue;
         tf_shape shape = tf_shape_of(surface, t);
-        tf_reach own = tf_triangle_reach(original, &shape, fine);
+        tf_reach own = tf_triangle_reach(original, &shape, fine, watch);
         all.least = fmax(all.least, own.least);
         all.most = fmax(all.most, own.most);
         if (each)

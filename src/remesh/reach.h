@@ -13,14 +13,13 @@ typedef struct tf_reach {
 /// Encloses the greatest distance of the points of a triangle from a surface.
 /// The bounds are usually no farther from each other than `fine`, or a part of
 /// 1/100; but where the triangle is far from the surface, or above very many
-/// others, the upper one may be too high.
-tf_reach tf_triangle_reach(tf_original *original, const tf_shape *triangle,
-                           double fine);
-
-/// Encloses that of all triangles of a surface; of no meaning if the caller
-/// cancels.
-/// @param[out] each `most` of each triangle; may be NULL
+/// others, the upper one may be too high.  Of no meaning if the caller cancels.
 /// @param watch over the call; may be NULL
+tf_reach tf_triangle_reach(tf_original *original, const tf_shape *triangle,
+                           double fine, tf_watch *watch);
+
+/// Encloses that of all triangles of a surface.
+/// @param[out] each `most` of each triangle; may be NULL
 tf_reach tf_surface_reach(tf_original *original,
                           const tf_adaptive_surface *surface, double fine,
                           double each[], tf_watch *watch);

@@ -85,10 +85,11 @@ static tf_status begin(tf_remesher *remesher,
     tf_status status = tf_draft_begin(remesher->surface, surface, watch);
     if (status == TF_OK)
         status = tf_original_begin(&remesher->original, surface, watch);
+    if (status == TF_OK)
+        status = tf_sharp_edges_find(sharp, surface, &sharpness, watch);
     if (status != TF_OK)
         return status;
-    return tf_sharp_edges_find(sharp, surface, &sharpness) &&
-                   tf_sharp_edges_copy(&remesher->sharp, sharp) &&
+    return tf_sharp_edges_copy(&remesher->sharp, sharp) &&
                    tf_trace_begin(&remesher->trace, &remesher->original, sharp)
                ? TF_OK
                : TF_OUT_OF_MEMORY;
@@ -301,7 +302,7 @@ static tf_status remesh(tf_adaptive_surface *surface,
                            ? begin(&remesher, surface, options, watch)
                            : TF_OUT_OF_MEMORY;
     if (status == TF_OK && !begin_sizes(&sizes, &remesher, options))
-        status = TF_OUT_OF_MEMORY;
+        status = tf_watch_failure(watch);
     if (status == TF_OK)
         status = do_all(&remesher, &sizes, options);
     if (status == TF_OK)

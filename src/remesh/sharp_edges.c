@@ -229,18 +229,25 @@ static bool is_corner(const tf_sharp_edges *all,
 //: Find the sharp edges of a surface
 const tf_sharpness tf_sharp_boundary = {.cosine = -2, .depth = INFINITY};
 
-static bool add_sharp(tf_sharp_edges *all, const tf_adaptive_surface *surface,
-                      const tf_sharpness *sharpness)
+enum {
+    WATCHED = 1024 ///< corners or vertices between two looks at the watch
+};
+
+static tf_status add_sharp(tf_sharp_edges *all,
+                           const tf_adaptive_surface *surface,
+                           const tf_sharpness *sharpness, tf_watch *watch)
 {
     for (int c = 0; c < 3 * surface->triangles; c++) {
+        if (c % WATCHED == 0 && !tf_watch_done(watch, 0))
+            return TF_CANCELLED;
         if (!tf_is_triangle(surface, c / 3) || !is_sharp(surface, c, sharpness))
             continue;
         int a = tf_vertex_at(surface, c);
         int b = tf_vertex_at(surface, tf_corner_after(c));
         if (!tf_sharp_edges_add(all, a, b, tf_length_of(surface, a, b)))
-            return false;
+            return TF_OUT_OF_MEMORY;
     }
-    return true;
+    return TF_OK;
 }
 
 static bool add_kept(tf_sharp_edges *all, const tf_adaptive_surface *surface,
@@ -255,22 +262,34 @@ static bool add_kept(tf_sharp_edges *all, const tf_adaptive_surface *surface,
     return true;
 }
 
-bool tf_sharp_edges_find(tf_sharp_edges *all,
-                         const tf_adaptive_surface *surface,
-                         const tf_sharpness *sharpness)
+static tf_status hold_corners(tf_sharp_edges *all,
+                              const tf_adaptive_surface *surface,
+                              const tf_sharpness *sharpness, tf_watch *watch)
 {
-    if (!begin_sharp_edges(all, surface->vertices) ||
-        !add_sharp(all, surface, sharpness) ||
-        !add_kept(all, surface, sharpness))
-        return false;
-    for (int v = 0; v < surface->vertices; v++)
+    for (int v = 0; v < surface->vertices; v++) {
+        if (v % WATCHED == 0 && !tf_watch_done(watch, 0))
+            return TF_CANCELLED;
         *held_at(all, v) = is_corner(all, surface, v);
+    }
     for (int i = 0; i < sharpness->keeps; i++) {
         const int *v = sharpness->keep + 2 * (ptrdiff_t)i;
         if (v[0] == v[1])
             *held_at(all, v[0]) = true;
     }
-    return true;
+    return TF_OK;
+}
+
+tf_status tf_sharp_edges_find(tf_sharp_edges *all,
+                              const tf_adaptive_surface *surface,
+                              const tf_sharpness *sharpness, tf_watch *watch)
+{
+    if (!begin_sharp_edges(all, surface->vertices))
+        return TF_OUT_OF_MEMORY;
+    tf_status status = add_sharp(all, surface, sharpness, watch);
+    if (status == TF_OK && !add_kept(all, surface, sharpness))
+        status = TF_OUT_OF_MEMORY;
+    return status == TF_OK ? hold_corners(all, surface, sharpness, watch)
+                           : status;
 }
 
 //: Find the freedom of a vertex

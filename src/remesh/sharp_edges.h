@@ -35,11 +35,11 @@ typedef struct tf_sharpness {
 extern const tf_sharpness tf_sharp_boundary;
 
 /// Finds the sharp edges of a surface.  A vertex of sharp edges is a corner
-/// unless there are two that go on nearly straight.  False if there is no
-/// memory; free them in any case.
-bool tf_sharp_edges_find(tf_sharp_edges *all,
-                         const tf_adaptive_surface *surface,
-                         const tf_sharpness *sharpness);
+/// unless there are two that go on nearly straight.  Returns TF_OK,
+/// TF_OUT_OF_MEMORY or TF_CANCELLED; free them in any case.
+tf_status tf_sharp_edges_find(tf_sharp_edges *all,
+                              const tf_adaptive_surface *surface,
+                              const tf_sharpness *sharpness, tf_watch *watch);
 
 /// By how much a surface turns at an edge inside it, given by a corner: the
 /// length of the difference of the unit normals of its triangles, about the

@@ -42,8 +42,10 @@ static bool grade_edge(const tf_adaptive_surface *surface, int corner,
     return shortens;
 }
 
-/// Goes forth and back through the edges until nothing changes.
-static void grade_sizes(const tf_adaptive_surface *surface, double target[])
+/// Goes forth and back through the edges until nothing changes.  False if the
+/// caller cancels.
+static bool grade_sizes(const tf_adaptive_surface *surface, double target[],
+                        tf_watch *watch)
 {
     int corners = 3 * surface->triangles;
     bool changes = true;
@@ -51,10 +53,13 @@ static void grade_sizes(const tf_adaptive_surface *surface, double target[])
         changes = false;
         for (int i = 0; i < 2 * corners; i++) {
             int c = i < corners ? i : 2 * corners - 1 - i;
+            if (!tf_watch_work(watch, 1))
+                return false;
             if (tf_is_triangle(surface, c / 3))
                 changes = grade_edge(surface, c, target) || changes;
         }
     }
+    return true;
 }
 
 //: Begin with given sizes
@@ -66,8 +71,7 @@ bool tf_sizes_begin(tf_sizes *sizes, tf_remesher *remesher, const double edge[])
     double *target = sizes->target.data;
     for (int v = 0; v < original->vertices; v++)
         target[v] = fmin(edge[v] * original->scale, remesher->edge);
-    grade_sizes(original, target);
-    return true;
+    return grade_sizes(original, target, remesher->surface->watch);
 }
 
 //: Begin with sizes for a distance
@@ -83,6 +87,10 @@ static double curvature_at(const tf_remesher *remesher, int corner)
     return tf_turn_at(surface, corner) / tf_height_at(surface, corner);
 }
 
+enum {
+    EDGE_WORK = 4 ///< units of the watch
+};
+
 /// A triangle with edges of the length L is L^2 k / 6 from a sphere of the
 /// curvature k.
 bool tf_sizes_begin_for(tf_sizes *sizes, tf_remesher *remesher, double error)
@@ -94,6 +102,8 @@ bool tf_sizes_begin_for(tf_sizes *sizes, tf_remesher *remesher, double error)
     for (int v = 0; v < original->vertices; v++)
         target[v] = remesher->edge;
     for (int c = 0; c < 3 * original->triangles; c++) {
+        if (!tf_watch_work(remesher->surface->watch, EDGE_WORK))
+            return false;
         if (!tf_is_triangle(original, c / 3))
             continue;
         double length = sqrt(6 * error / curvature_at(remesher, c));
@@ -102,8 +112,7 @@ bool tf_sizes_begin_for(tf_sizes *sizes, tf_remesher *remesher, double error)
         for (int i = 0; i < 2; i++)
             target[end[i]] = fmin(target[end[i]], length);
     }
-    grade_sizes(original, target);
-    return true;
+    return grade_sizes(original, target, remesher->surface->watch);
 }
 
 //: Note where surfaces are apart
@@ -120,6 +129,8 @@ static tf_status note_back(tf_sizes *sizes, tf_remesher *remesher, double fine,
         *most = fmax(*most,
                      tf_surface_reach(&now, before, fine, error, watch).most);
     tf_original_free(&now);
+    if (status == TF_OK && tf_watch_cancelled(watch))
+        return TF_CANCELLED;
     for (int c = 0; c < 3 * before->triangles && status == TF_OK; c++)
         if (tf_is_triangle(before, c / 3)) {
             int v = tf_vertex_at(before, c);
@@ -138,6 +149,8 @@ static void note_forth(tf_sizes *sizes, tf_remesher *remesher, double fine,
     tf_reach all =
         tf_surface_reach(&remesher->original, after, fine, error, after->watch);
     *most = fmax(*most, all.most);
+    if (tf_watch_cancelled(after->watch))
+        return;
     for (int c = 0; c < 3 * after->triangles; c++) {
         if (!tf_is_triangle(after, c / 3))
             continue;
@@ -171,13 +184,14 @@ tf_status tf_sizes_adapt(tf_sizes *sizes, tf_remesher *remesher, double error,
     memset(worst, 0, sizeof *worst * (size_t)before->vertices);
     *most = 0;
     note_forth(sizes, remesher, error / 100, most);
-    tf_status status = note_back(sizes, remesher, error / 100, most);
+    tf_status status = tf_watch_cancelled(remesher->surface->watch)
+                           ? TF_CANCELLED
+                           : note_back(sizes, remesher, error / 100, most);
     for (int v = 0; v < before->vertices && status == TF_OK; v++)
         target[v] = fmin(target[v] * factor_for(error, worst[v], shrink),
                          remesher->edge);
-    if (status == TF_OK)
-        grade_sizes(before, target);
-    return status == TF_OK && tf_watch_cancelled(remesher->surface->watch)
-               ? TF_CANCELLED
-               : status;
+    if (status != TF_OK)
+        return status;
+    return grade_sizes(before, target, remesher->surface->watch) ? TF_OK
+                                                                 : TF_CANCELLED;
 }

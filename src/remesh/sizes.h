@@ -14,12 +14,12 @@ void tf_sizes_free(tf_sizes *sizes);
 
 /// Begins with given lengths, in the user's unit, which become shorter where
 /// they would change too fast: between two vertices by more than half of their
-/// distance.  False if there is no memory.
+/// distance.  False if there is no memory, or if the caller cancels.
 bool tf_sizes_begin(tf_sizes *sizes, tf_remesher *remesher,
                     const double edge[]);
 
 /// Begins with lengths for which triangles on curved parts are about that far
-/// from the original.  False if there is no memory.
+/// from the original.  False if there is no memory, or if the caller cancels.
 bool tf_sizes_begin_for(tf_sizes *sizes, tf_remesher *remesher, double error);
 
 /// Makes lengths shorter where the surfaces are further apart than `error`, and

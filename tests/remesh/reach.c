@@ -39,7 +39,7 @@ static tf_vector random_point(generator *random, double size)
 static bool expect_reach(const tf_shape *triangle, double fine,
                          generator *random)
 {
-    tf_reach found = tf_triangle_reach(&original, triangle, fine);
+    tf_reach found = tf_triangle_reach(&original, triangle, fine, NULL);
     ck_assert_double_le(found.least, found.most);
     double farthest = 0;
     for (int i = 0; i < 100; i++) {
@@ -86,7 +86,7 @@ START_TEST(a_triangle_on_a_plane_is_at_no_distance)
         for (int k = 0; k < 3; k++)
             triangle.corner[k] = (tf_vector){
                 {uniform(&random, 0, 9), uniform(&random, 0, 9), height}};
-        tf_reach found = tf_triangle_reach(&original, &triangle, 1e-9);
+        tf_reach found = tf_triangle_reach(&original, &triangle, 1e-9, NULL);
         ck_assert_double_eq_tol(found.least, height, 1e-12);
         ck_assert_double_eq_tol(found.most, height, 1e-9 + 0.01 * height);
     }
@@ -103,7 +103,8 @@ START_TEST(degenerate_triangles_have_a_reach)
     const tf_shape triangles[] = {
         {{a, a, a}}, {{a, b, a}}, {{a, b, tf_vector_sum(a, 0.5, b)}}};
     for (int i = 0; i < 3; i++) {
-        tf_reach found = tf_triangle_reach(&original, &triangles[i], 1e-6);
+        tf_reach found =
+            tf_triangle_reach(&original, &triangles[i], 1e-6, NULL);
         ck_assert_double_ge(found.least, 2);
         ck_assert_double_le(found.most, 1.01 * found.least + 1e-6);
     }

@@ -177,7 +177,8 @@ static double sharp_length(const tf_adaptive_surface *surface)
     const tf_sharpness sharpness = {.cosine = 0.94, .depth = INFINITY};
     tf_sharp_edges sharp = {0};
     double sum = 0;
-    ck_assert(tf_sharp_edges_find(&sharp, surface, &sharpness));
+    ck_assert_int_eq(tf_sharp_edges_find(&sharp, surface, &sharpness, NULL),
+                     TF_OK);
     for (int v = 0; v < surface->vertices; v++)
         for (int w = 0; w < v; w++)
             if (tf_find_sharp_edge(&sharp, v, w))

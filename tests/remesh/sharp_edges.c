@@ -40,7 +40,8 @@ static void find(const tf_adaptive_surface *surface, int keeps,
 {
     const tf_sharpness sharpness = {0.906, INFINITY, keeps, keep};
     sharp = (tf_sharp_edges){0};
-    ck_assert(tf_sharp_edges_find(&sharp, surface, &sharpness));
+    ck_assert_int_eq(tf_sharp_edges_find(&sharp, surface, &sharpness, NULL),
+                     TF_OK);
 }
 
 static void release(tf_adaptive_surface *surface)
@@ -104,7 +105,8 @@ START_TEST(the_angle_decides)
             const tf_sharpness sharpness = {
                 .cosine = cos(angles[i] * acos(-1) / 180), .depth = INFINITY};
             sharp = (tf_sharp_edges){0};
-            ck_assert(tf_sharp_edges_find(&sharp, surface, &sharpness));
+            ck_assert_int_eq(
+                tf_sharp_edges_find(&sharp, surface, &sharpness, NULL), TF_OK);
             ck_assert((tf_find_sharp_edge(&sharp, 0, 1) != NULL) == (i == 0));
             tf_sharp_edges_free(&sharp);
         }
@@ -124,7 +126,8 @@ START_TEST(the_depth_decides_too)
         const tf_sharpness sharpness = {.cosine = -2,
                                         .depth = depth * (i ? 1.001 : 0.999)};
         sharp = (tf_sharp_edges){0};
-        ck_assert(tf_sharp_edges_find(&sharp, surface, &sharpness));
+        ck_assert_int_eq(tf_sharp_edges_find(&sharp, surface, &sharpness, NULL),
+                         TF_OK);
         ck_assert((tf_find_sharp_edge(&sharp, 0, 1) != NULL) == (i == 0));
         tf_sharp_edges_free(&sharp);
     }

@@ -25,7 +25,8 @@ static void begin(tf_adaptive_surface *make(void))
     trace = (tf_trace){0};
     ck_assert(!tf_trace_goes(&trace));
     ck_assert_int_eq(tf_original_begin(&found, original, NULL), TF_OK);
-    ck_assert(tf_sharp_edges_find(&edges, original, &sharpness));
+    ck_assert_int_eq(tf_sharp_edges_find(&edges, original, &sharpness, NULL),
+                     TF_OK);
     ck_assert(tf_trace_begin(&trace, &found, &edges));
     ck_assert(tf_trace_goes(&trace));
 }

@@ -73,9 +73,10 @@ static tf_status improve(tf_flow *flow, unsigned operations, double edge)
     flow->remesher.policy = &policy;
     flow->remesher.edge = edge;
     flow->remesher.report = (tf_remesh_report){0};
-    if (!tf_sharp_edges_find(&flow->remesher.sharp, &flow->draft,
-                             &tf_sharp_boundary))
-        return TF_OUT_OF_MEMORY;
+    status = tf_sharp_edges_find(&flow->remesher.sharp, &flow->draft,
+                                 &tf_sharp_boundary, NULL);
+    if (status != TF_OK)
+        return status;
     status = tf_remesh_round(&flow->remesher);
     flow->remesher.policy = &tf_keep_volume;
     return status;

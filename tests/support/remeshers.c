@@ -20,7 +20,7 @@ tf_remesher *remesher_begin(tf_adaptive_surface *surface,
     made = (tf_remesher){.surface = surface, .policy = policy, .edge = edge};
     if (tf_draft_begin(&original, surface, NULL) != TF_OK ||
         tf_original_begin(&made.original, &original, NULL) != TF_OK ||
-        !tf_sharp_edges_find(&made.sharp_before, &original, sharpness) ||
+        tf_sharp_edges_find(&made.sharp_before, &original, sharpness, NULL) ||
         !tf_sharp_edges_copy(&made.sharp, &made.sharp_before))
         abort();
     return &made;

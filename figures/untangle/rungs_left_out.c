@@ -17,7 +17,7 @@ static const char *const ways[WAYS] = {"all",   "push",  "smooth", "again",
 static const struct {
     const char *key, *title, *format;
 } panels[PANELS] = {{"stretched", "edges stretched, percent", "%.1f"},
-                    {"deviation", "moved on average, in edges", "%.2f"}};
+                    {"deviation", "rms distance from home, edges", "%.2f"}};
 
 static double measured(int panel, int way)
 {

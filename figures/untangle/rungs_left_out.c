@@ -1,5 +1,5 @@
-// How many of the tangles that are measured end clear, and how far from home, with
-// all rungs and without each of them.
+// How many edges the tangles that are measured have stretched in the end, and how
+// far they are from home, with all rungs and without each of them.
 #include "kit/figures.h"
 #include "kit/measured.h"
 #include "renderer/plot.h"
@@ -16,8 +16,8 @@ static const char *const ways[WAYS] = {"all",   "push",  "smooth", "again",
 
 static const struct {
     const char *key, *title, *format;
-} panels[PANELS] = {{"clear", "surfaces that end clear", "%.0f"},
-                    {"deviation", "moved on average, in edges", "%.2f"}};
+} panels[PANELS] = {{"stretched", "edges stretched, percent", "%.1f"},
+                    {"deviation", "rms distance from home, edges", "%.2f"}};
 
 static double measured(int panel, int way)
 {
@@ -26,7 +26,7 @@ static double measured(int panel, int way)
 
 static double greatest(int panel)
 {
-    double most = panel == 0 ? fig_measured("untangling tangles") : 0;
+    double most = 0;
     for (int i = 0; i < WAYS; i++)
         most = fmax(most, measured(panel, i));
     return most;

@@ -1,284 +1,198 @@
-// A bulge of one curve through another in the plane: what votes, what is pushed,
-// and where it is after one push.
+// Two rings in the plane that overlap: what votes, what the first push proposes,
+// and the clear state that the rounds lead to.
 #include "base/require.h"
 #include "kit/figures.h"
 #include "renderer/plot.h"
-#include "surface/check.h"
+#include "untangle/push.h"
+#include "untangle/untangle.h"
 
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
 
 enum {
-    LOWER = 26, ///< vertices of the curve that is passed through
-    UPPER = 33, ///< of the curve with the bulge
-    VERTICES = LOWER + UPPER,
-    EDGES = VERTICES - 2,
-    PANELS = 2,
-    CROSSINGS = 2
+    RINGS = 2,
+    POINTS = 36,
+    VERTICES = RINGS * POINTS,
+    EDGES = VERTICES,
+    PANELS = 2
 };
 
-/// How far beyond the other curve a vertex is pushed, of the mean edge.
-static const double margin = 0.6;
+/// By how much the moves are enlarged: they are half an edge at most.
+static const double enlarged = 3;
 
-typedef struct curves {
-    tf_surface *surface;
-    double x[2 * VERTICES], mean;
+typedef struct rings {
+    double x[2 * VERTICES];
     int edge[2 * EDGES];
-    int crossed[CROSSINGS][2]; ///< vertices: the edge's first one, of the lower
-                               ///< and of the upper curve
-    int crossings, votes;      ///< the sum of the votes
-    double side;               ///< to which the wrong vertices are pushed
-    bool wrong[VERTICES];
-    fig_point foot[VERTICES]; ///< nearest points on the other curve's edges
-    int nearest[VERTICES];    ///< the first vertex of the edge; -1: none
-    double part[VERTICES];    ///< how far along the edge
-    double push[2 * VERTICES];
-} curves;
+    bool fixed[VERTICES];
+    tf_tangle tangle;
+    tf_push push;
+    tf_change change;
+    double clear[2 * VERTICES]; ///< the state that is found
+    tf_untangle_report report;
+} rings;
 
-static fig_point at(const curves *c, int v)
+static void make_rings(rings *c)
 {
-    return (fig_point){c->x[2 * (ptrdiff_t)v], c->x[2 * v + 1]};
-}
-
-static void place(curves *c, int v, double x, double y)
-{
-    c->x[2 * (ptrdiff_t)v] = x;
-    c->x[2 * v + 1] = y;
-}
-
-static void make_curves(curves *c)
-{
-    for (int v = 0, e = 0; v < VERTICES; v++) {
-        bool lower = v < LOWER;
-        double s = lower ? 2. * v / (LOWER - 1) - 1
-                         : 2. * (v - LOWER) / (UPPER - 1) - 1;
-        if (lower)
-            place(c, v, 1.05 * s, 0.06 * sin(3 * s + 0.5));
-        else
-            place(c, v, 1.05 * s, 0.34 - 0.74 * exp(-5 * s * s) + 0.03 * s);
-        if (v == LOWER - 1 || v == VERTICES - 1)
-            continue;
-        c->edge[e++] = v;
-        c->edge[e++] = v + 1;
+    const double pi = acos(-1);
+    for (int v = 0; v < VERTICES; v++) {
+        bool left = v < POINTS;
+        double *x = c->x + 2 * (ptrdiff_t)v;
+        double turn = 2 * pi * (v % POINTS + 0.3) / POINTS;
+        x[0] = (left ? -0.4 : 0.4) + 0.52 * cos(turn);
+        x[1] = (left ? 0 : 0.06) + 0.42 * sin(turn);
+        c->edge[2 * (ptrdiff_t)v] = v;
+        c->edge[2 * v + 1] = v % POINTS == POINTS - 1 ? v - POINTS + 1 : v + 1;
     }
 }
 
 // What the library finds ------------------------------------------------------
 
-static size_t count_crossings(curves *c, const tf_crossing **row)
+static void look(rings *c, tf_surface *surface)
 {
-    tf_mesh mesh = {
-        .axes = 2, .vertices = VERTICES, .edges = EDGES, .edge = c->edge};
-    tf_crossings found;
-    if (!c->surface)
-        TF_REQUIRE(tf_surface_create(&mesh, &c->surface, NULL) == TF_OK);
-    TF_REQUIRE(tf_surface_check(c->surface, VERTICES, c->x, NULL, &found,
-                                NULL) == TF_OK);
-    *row = found.crossing;
-    return found.count;
+    c->tangle = (tf_tangle){.surface = surface, .in = c->x, .fixed = c->fixed};
+    TF_REQUIRE(tf_tangle_begin(&c->tangle));
+    TF_REQUIRE(tf_tangle_check(&c->tangle, c->x) == TF_OK);
+    TF_REQUIRE(tf_push_begin(&c->push, &c->tangle));
+    TF_REQUIRE(tf_change_begin(&c->change, &c->tangle));
+    TF_REQUIRE(tf_push_propose(&c->push, &c->tangle, c->x, &c->change));
+    TF_REQUIRE(tf_change_finish(&c->change, &c->tangle));
 }
 
-static void find_crossings(curves *c)
+static void untangle(rings *c, tf_surface *surface)
 {
-    const tf_crossing *row;
-    c->crossings = (int)count_crossings(c, &row);
-    TF_REQUIRE(c->crossings == CROSSINGS);
-    for (int i = 0; i < CROSSINGS; i++) {
-        c->crossed[i][0] = row[i].vertex[0];
-        c->crossed[i][1] = row[i].vertex[2];
-    }
+    const tf_untangle_options options = {.size = sizeof options,
+                                         .without = TF_RUNG_RETURN};
+    tf_resolver *resolver;
+    TF_REQUIRE(tf_resolver_create(surface, &resolver) == TF_OK);
+    TF_REQUIRE(tf_untangle(resolver, VERTICES, c->x, c->clear, &options,
+                           &c->report, NULL, NULL) == TF_OK);
+    tf_resolver_free(resolver);
 }
 
-static int between(const curves *c, int v, int curve)
+static void release(rings *c)
 {
-    int a = c->crossed[0][curve], b = c->crossed[1][curve];
-    return v > (a < b ? a : b) && v <= (a < b ? b : a);
-}
-
-/// The normal of an edge, to its left.
-static fig_point normal_of(const curves *c, int first)
-{
-    fig_point a = at(c, first), b = at(c, first + 1);
-    double length = hypot(b.x - a.x, b.y - a.y);
-    return (fig_point){-(b.y - a.y) / length, (b.x - a.x) / length};
-}
-
-/// At a crossing the wrong end of the upper edge votes for the other side of
-/// the lower one.
-static int vote(const curves *c, int i)
-{
-    int first = c->crossed[i][1];
-    int wrong = c->wrong[first] ? first : first + 1;
-    fig_point n = normal_of(c, c->crossed[i][0]), w = at(c, wrong),
-              r = at(c, wrong == first ? first + 1 : first);
-    return n.x * (r.x - w.x) + n.y * (r.y - w.y) > 0 ? 1 : -1;
-}
-
-// The push ----------------------------------------------------------------------
-
-static void find_nearest(curves *c, int v)
-{
-    double best = HUGE_VAL;
-    c->nearest[v] = -1;
-    for (int e = 0; e < EDGES; e++) {
-        int first = c->edge[2 * (ptrdiff_t)e];
-        if ((first < LOWER) == (v < LOWER))
-            continue;
-        fig_point a = at(c, first), b = at(c, first + 1), p = at(c, v);
-        double dx = b.x - a.x, dy = b.y - a.y;
-        double part =
-            ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
-        part = fmin(1, fmax(0, part));
-        fig_point foot = {a.x + part * dx, a.y + part * dy};
-        double distance = hypot(p.x - foot.x, p.y - foot.y);
-        if (distance >= best)
-            continue;
-        best = distance;
-        c->nearest[v] = first;
-        c->part[v] = part;
-        c->foot[v] = foot;
-    }
-}
-
-/// Vertices of the bulge are pushed to the side of the lower curve that won, and
-/// what they have passed to the other side: half each.
-static void find_push(curves *c)
-{
-    double weight[VERTICES] = {0};
-    for (int v = LOWER; v < VERTICES; v++) {
-        if (!c->wrong[v])
-            continue;
-        find_nearest(c, v);
-        fig_point n = normal_of(c, c->nearest[v]), p = at(c, v);
-        double gap =
-            c->side * ((p.x - c->foot[v].x) * n.x + (p.y - c->foot[v].y) * n.y);
-        double half = c->side * (margin * c->mean - gap) / 2;
-        for (int i = -1; i < 2; i++) {
-            int w = i < 0 ? v : c->nearest[v] + i;
-            double share = i < 0 ? 1 : i == 0 ? 1 - c->part[v] : c->part[v];
-            double way = i < 0 ? half : -half;
-            c->push[2 * (ptrdiff_t)w] += share * way * n.x;
-            c->push[2 * w + 1] += share * way * n.y;
-            weight[w] += share;
-        }
-    }
-    for (int v = 0; v < VERTICES; v++)
-        for (int k = 0; k < 2 && weight[v] > 0; k++)
-            c->push[2 * v + k] /= weight[v];
-}
-
-static void look(curves *c)
-{
-    find_crossings(c);
-    c->mean = 2.1 / (UPPER - 1);
-    for (int v = 0; v < VERTICES; v++)
-        c->wrong[v] = between(c, v, v >= LOWER);
-    for (int i = 0; i < CROSSINGS; i++)
-        c->votes += vote(c, i);
-    c->side = c->votes > 0 ? 1 : -1;
-    find_push(c);
+    tf_change_free(&c->change);
+    tf_push_free(&c->push);
+    tf_tangle_end(&c->tangle);
 }
 
 // Drawing -----------------------------------------------------------------------
 
-static fig_role role_of(const curves *c, int v)
+static bool is_wrong(const rings *c, int vertex)
 {
-    return c->wrong[v] ? FIG_ROLE_POINT
-           : v < LOWER ? FIG_ROLE_TRIANGLE
-                       : FIG_ROLE_EDGE;
+    const tf_regions *regions = &c->push.regions;
+    return tf_is_wrong(regions, &c->tangle.near, regions->region[vertex]);
 }
 
-static void draw_curves(fig_page *page, const fig_plot *plot, const curves *c)
+static void draw_rings(fig_page *page, const fig_plot *plot, const rings *c,
+                       const double x[])
 {
     for (int e = 0; e < EDGES; e++) {
-        int v = c->edge[2 * (ptrdiff_t)e];
-        fig_plot_curve(
-            page, plot, 2, (fig_point[]){at(c, v), at(c, v + 1)},
-            (fig_stroke){.paint = {.role = v < LOWER ? FIG_ROLE_TRIANGLE
-                                                     : FIG_ROLE_EDGE},
-                         .width = 1.6});
+        const double *a = x + 2 * (ptrdiff_t)c->edge[2 * (ptrdiff_t)e];
+        const double *b = x + 2 * (ptrdiff_t)c->edge[2 * e + 1];
+        fig_role role = e < POINTS ? FIG_ROLE_TRIANGLE : FIG_ROLE_EDGE;
+        fig_plot_curve(page, plot, 2, (fig_point[]){{a[0], a[1]}, {b[0], b[1]}},
+                       (fig_stroke){.paint = {.role = role}, .width = 1.6});
     }
-    for (int v = 0; v < VERTICES; v++)
-        fig_plot_dot(page, plot, at(c, v).x, at(c, v).y, c->wrong[v] ? 4.2 : 3,
-                     role_of(c, v));
+    for (int v = 0; v < VERTICES; v++) {
+        fig_role role = is_wrong(c, v) ? FIG_ROLE_POINT
+                        : v < POINTS   ? FIG_ROLE_TRIANGLE
+                                       : FIG_ROLE_EDGE;
+        fig_plot_dot(page, plot, x[2 * (ptrdiff_t)v], x[2 * v + 1],
+                     is_wrong(c, v) ? 4.2 : 3, role);
+    }
 }
 
-static void draw_arrow(fig_page *page, const fig_plot *plot, fig_point from,
-                       fig_point by, fig_role role)
+static void draw_arrow(fig_page *page, const fig_plot *plot,
+                       const double from[], fig_point by, fig_role role)
 {
-    fig_point to = {from.x + by.x, from.y + by.y};
-    fig_point line[2] = {fig_plot_place(plot, from.x, from.y),
-                         fig_plot_place(plot, to.x, to.y)};
+    fig_point line[2] = {fig_plot_place(plot, from[0], from[1]),
+                         fig_plot_place(plot, from[0] + by.x, from[1] + by.y)};
     if (hypot(line[1].x - line[0].x, line[1].y - line[0].y) > 3)
         fig_page_line(page, 2, line,
                       (fig_stroke){.paint = {.role = role}, .arrow = true});
 }
 
-static fig_point crossing_of(const curves *c, int i)
+/// Draws the votes of the right ring's breaches, and returns how many there are: each
+/// points across the facet, to the side of the right end.
+static int draw_votes(fig_page *page, const fig_plot *plot, const rings *c)
 {
-    fig_point a = at(c, c->crossed[i][0]), b = at(c, c->crossed[i][0] + 1);
-    fig_point p = at(c, c->crossed[i][1]), q = at(c, c->crossed[i][1] + 1);
-    double u = (p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x);
-    double w = (q.x - a.x) * (b.y - a.y) - (q.y - a.y) * (b.x - a.x);
-    double part = u / (u - w);
-    return (fig_point){p.x + part * (q.x - p.x), p.y + part * (q.y - p.y)};
-}
-
-static void draw_votes(fig_page *page, const fig_plot *plot, const curves *c)
-{
-    for (int i = 0; i < CROSSINGS; i++) {
-        fig_point n = normal_of(c, c->crossed[i][0]), p = crossing_of(c, i);
-        double way = 0.25 * vote(c, i);
-        draw_arrow(page, plot, p, (fig_point){way * n.x, way * n.y},
+    const tf_breaches *all = &c->push.breaches;
+    int votes = 0;
+    for (size_t i = 0; i < all->count; i++) {
+        const tf_breach *breach = &all->breach[i];
+        const int *end = c->tangle.near.facet + 2 * (ptrdiff_t)breach->facet;
+        if (end[0] >= POINTS)
+            continue;
+        const double *a = c->x + 2 * (ptrdiff_t)end[0];
+        const double *b = c->x + 2 * (ptrdiff_t)end[1];
+        fig_point across = {a[1] - b[1], b[0] - a[0]};
+        double back =
+            across.x * breach->inward.x[0] + across.y * breach->inward.x[1];
+        double scale = (back > 0 ? -0.2 : 0.2) / hypot(across.x, across.y);
+        draw_arrow(page, plot, breach->place.x,
+                   (fig_point){scale * across.x, scale * across.y},
                    FIG_ROLE_CONTACT);
-        fig_plot_dot(page, plot, p.x, p.y, FIG_WIDTH_BALL, FIG_ROLE_CONTACT);
+        fig_plot_dot(page, plot, breach->place.x[0], breach->place.x[1],
+                     FIG_WIDTH_BALL, FIG_ROLE_CONTACT);
+        votes++;
     }
+    return votes;
 }
 
 static fig_plot panel(fig_page *page, int i, const char *title)
 {
     double width = fig_page_width(page) / PANELS;
-    fig_plot plot = {.box = {width * i + 4, 18, width - 8, 92},
-                     .x = {-1.08, 1.08},
-                     .y = {-0.5, -0.5 + 2.16 * 92 / (width - 8)}};
+    fig_plot plot = {.box = {width * i + 4, 18, width - 8, 96},
+                     .x = {-1, 1},
+                     .y = {-0.5, -0.5 + 2. * 96 / (width - 8)}};
     fig_page_title(page, plot.box, title);
     return plot;
 }
 
+static void draw_moves(fig_page *page, const fig_plot *plot, const rings *c)
+{
+    for (int v = 0; v < VERTICES; v++) {
+        const double *move = c->change.move[v].x;
+        draw_arrow(page, plot, c->x + 2 * (ptrdiff_t)v,
+                   (fig_point){enlarged * move[0], enlarged * move[1]},
+                   FIG_ROLE_INK);
+    }
+}
+
 static void draw(fig_page *page, FILE *numbers)
 {
-    curves c = {0};
-    make_curves(&c);
-    look(&c);
-    fig_plot before = panel(page, 0, "two votes, and the pushes");
-    fig_plot after = panel(page, 1, "after one push");
-    draw_curves(page, &before, &c);
-    int wrong = 0, pushed = 0;
-    for (int v = 0; v < VERTICES; v++) {
-        const double *push = c.push + 2 * (ptrdiff_t)v;
-        draw_arrow(page, &before, at(&c, v), (fig_point){push[0], push[1]},
-                   FIG_ROLE_INK);
-        wrong += c.wrong[v];
-        pushed += push[0] != 0 || push[1] != 0;
-    }
-    draw_votes(page, &before, &c);
-    for (int i = 0; i < 2 * VERTICES; i++)
-        c.x[i] += c.push[i];
-    draw_curves(page, &after, &c);
-    const tf_crossing *row;
-    fig_number(numbers, "before", c.crossings);
-    fig_number(numbers, "votes", c.votes > 0 ? c.votes : -c.votes);
+    rings c = {.report = {0}};
+    make_rings(&c);
+    tf_mesh mesh = {
+        .axes = 2, .vertices = VERTICES, .edges = EDGES, .edge = c.edge};
+    tf_surface *surface;
+    TF_REQUIRE(tf_surface_create(&mesh, &surface, NULL) == TF_OK);
+    look(&c, surface);
+    untangle(&c, surface);
+    fig_plot before = panel(page, 0, "two votes, and the first moves");
+    fig_plot after = panel(page, 1, "clear");
+    draw_rings(page, &before, &c, c.x);
+    draw_moves(page, &before, &c);
+    int votes = draw_votes(page, &before, &c), wrong = 0;
+    draw_rings(page, &after, &c, c.clear);
+    for (int v = 0; v < VERTICES; v++)
+        wrong += is_wrong(&c, v);
+    fig_number(numbers, "votes", votes);
+    fig_number(numbers, "breaches", (double)c.push.breaches.count);
     fig_number(numbers, "wrong", wrong);
-    fig_number(numbers, "pushed", pushed);
-    fig_number(numbers, "after", (double)count_crossings(&c, &row));
-    tf_surface_free(c.surface);
+    fig_number(numbers, "enlarged", enlarged);
+    fig_number(numbers, "left", (double)c.report.left);
+    fig_number(numbers, "rounds", c.report.rounds);
+    release(&c);
+    tf_surface_free(surface);
 }
 
 const fig_figure fig_side_votes = {
     .name = "side-votes",
-    .title = "A bulge through a curve: votes and pushes",
+    .title = "Two rings that overlap: votes and pushes",
     .width = FIG_PAGE_WIDTH,
-    .height = 116,
+    .height = 118,
     .draw = draw,
 };

@@ -19,8 +19,7 @@ typedef enum tf_untangle_rung {
         1, ///< push what is on the wrong side of a crossing curve out
            ///< through the surface that it has passed
     TF_RUNG_SMOOTH = 2, ///< smooth what is near the crossings
-    TF_RUNG_AGAIN =
-        4, ///< begin anew, with the other side taken for the wrong one
+    TF_RUNG_AGAIN = 4,  ///< begin anew, with more facets to go to
     TF_RUNG_APART = 8,  ///< move whole parts apart: a jump, which is no motion
     TF_RUNG_RELAX = 16, ///< smooth everything
     TF_RUNG_RETURN =

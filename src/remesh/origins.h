@@ -32,4 +32,20 @@ typedef struct tf_origin {
 ///     has been changed since it was remeshed, or never was
 TF_API const tf_origin *tf_adaptive_origins(const tf_adaptive_surface *surface);
 
+/// Where the corners of the triangles come from then: the same points as the
+/// vertices, but on a triangle of the corner's own side of sharp edges, so that
+/// what differs on the two sides, such as texture coordinates at a seam, is not
+/// mixed with what is beyond.  No sharp edge is between the old triangles of the
+/// three corners of a triangle: where sharp edges bound the faces of a label, it
+/// has that of any of them.
+///
+/// Sharp edges become straighter, by the few vertices that are beyond them then;
+/// these come from the nearest point on their own side.
+///
+/// @param surface the surface
+/// @return three for each triangle, lent until the surface is changed; NULL if
+///     it has been changed since it was remeshed, or never was
+TF_API const tf_origin *
+tf_adaptive_corner_origins(const tf_adaptive_surface *surface);
+
 /// @}

@@ -225,8 +225,8 @@ static bool check_textures(const reader *r)
             if (*corner >= 0 && (size_t)*corner >= rows)
                 return tf_mesh_file_fault(
                     r->file, r->file->triangle_place.item[face.triangle],
-                    "there are no texture coordinates %lld; the file has %zu "
-                    "lines vt",
+                    "there are no texture coordinates %lld; the last vt of the "
+                    "file is %zu",
                     *corner + 1LL, rows);
     return true;
 }

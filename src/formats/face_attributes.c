@@ -9,9 +9,9 @@ bool tf_face_attributes_agree(const tf_face_attributes *faces, int face,
                               int other)
 {
     const tf_columns *row = &faces->row;
-    return row->count == 0 || memcmp(tf_columns_row(row, face),
-                                     tf_columns_row(row, other),
-                                     (size_t)row->count * sizeof(double)) == 0;
+    return row->count == 0 ||
+           memcmp(tf_columns_row(row, face), tf_columns_row(row, other),
+                  (size_t)row->count * sizeof(double)) == 0;
 }
 
 bool tf_excerpts_add(tf_excerpts *list, const tf_excerpt *excerpt)

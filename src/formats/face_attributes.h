@@ -31,8 +31,8 @@ struct tf_face_attributes {
                          ///< integers; in OBJ one number, of its heading
     tf_columns texture;  ///< three texture coordinates a row; none in PLY
     int texture_axes;    ///< how many of them are there
-    tf_ints corner; ///< of each corner of each face the row of its texture
-                    ///< coordinates, or -1; empty if there are none
+    tf_ints corner;      ///< of each corner of each face the row of its texture
+                         ///< coordinates, or -1; empty if there are none
 };
 
 /// Whether two faces have the same row.

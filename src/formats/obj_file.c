@@ -16,7 +16,7 @@ typedef struct reader {
     tf_mesh_file *file;
     tf_ints corner; ///< of a face
     int texture;    ///< the row of the last corner that was read, or -1
-    tf_face_attributes *faces; ///< to be filled, or NULL
+    tf_face_attributes *faces;            ///< to be filled, or NULL
     tf_excerpt heading[TF_HEADING_LINES]; ///< the last lines of each kind
     bool is_new_heading;                  ///< whether they are not yet kept
     double heading_number;
@@ -145,7 +145,9 @@ static bool find_texture(reader *r, int64_t number, const char *word)
         return fault_in_word(r, word,
                              "before the first texture coordinates; -1 is the "
                              "last vt above this line");
-    r->texture = (int)(number > 0 ? number - 1 : number < 0 ? rows + number : -1);
+    r->texture = (int)(number > 0   ? number - 1
+                       : number < 0 ? rows + number
+                                    : -1);
     return true;
 }
 
@@ -187,8 +189,8 @@ static bool number_heading(reader *r)
 {
     tf_excerpts *all = &r->faces->heading;
     size_t count = all->count / TF_HEADING_LINES, i = 0;
-    while (i < count && !same_excerpts(r, all->item + i * TF_HEADING_LINES,
-                                       r->heading))
+    while (i < count &&
+           !same_excerpts(r, all->item + i * TF_HEADING_LINES, r->heading))
         i++;
     for (int k = 0; k < TF_HEADING_LINES && i == count; k++)
         if (!tf_excerpts_add(all, &r->heading[k]))
@@ -219,8 +221,7 @@ static bool check_textures(const reader *r)
 {
     const int *corner = r->faces ? r->faces->corner.item : NULL;
     size_t rows = r->faces ? r->faces->texture.rows : 0;
-    for (tf_face face = {0};
-         corner && tf_mesh_file_next_face(r->file, &face);)
+    for (tf_face face = {0}; corner && tf_mesh_file_next_face(r->file, &face);)
         for (int i = 0; i < face.corners; i++, corner++)
             if (*corner >= 0 && (size_t)*corner >= rows)
                 return tf_mesh_file_fault(
@@ -244,9 +245,8 @@ static bool read_face(reader *r)
     }
     if (r->corner.count < 3)
         return fault_in_end(r, "a face has three corners or more");
-    return keep_face(r) &&
-           tf_mesh_file_add_face(r->file, r->corner.item, (int)r->corner.count,
-                                 place);
+    return keep_face(r) && tf_mesh_file_add_face(r->file, r->corner.item,
+                                                 (int)r->corner.count, place);
 }
 
 //: Read a line of edges
@@ -362,9 +362,9 @@ static bool keep_others(reader *r)
     static const struct {
         const char *word;
         bool (*keep)(reader *r);
-    } others[] = {{"curv", drop_parts},       {"curv2", drop_parts},
-                  {"surf", drop_parts},       {"vt", read_texture},
-                  {"o", keep_object},         {"g", keep_group},
+    } others[] = {{"curv", drop_parts},      {"curv2", drop_parts},
+                  {"surf", drop_parts},      {"vt", read_texture},
+                  {"o", keep_object},        {"g", keep_group},
                   {"usemtl", keep_material}, {"mtllib", keep_library}};
     size_t length = strcspn(r->text.at, " \t\r\n\\#");
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)

@@ -245,8 +245,7 @@ static bool read_element(reader *r, const char *name, const char *count)
 static tf_columns *columns_for(const reader *r, const ply_element *element,
                                const ply_property *made)
 {
-    tf_face_attributes *faces =
-        r->file->source ? r->file->source->faces : NULL;
+    tf_face_attributes *faces = r->file->source ? r->file->source->faces : NULL;
     if (made->length || made->role != NONE)
         return NULL;
     return element->target == VERTICES ? r->file->columns
@@ -680,8 +679,7 @@ static bool add_strips(const reader *r, long at)
 //: Add what a face has
 static bool add_face_row(const reader *r)
 {
-    tf_face_attributes *faces =
-        r->file->source ? r->file->source->faces : NULL;
+    tf_face_attributes *faces = r->file->source ? r->file->source->faces : NULL;
     return !faces || tf_columns_add(&faces->row, r->value) ||
            tf_mesh_file_fault_in_memory(r->file);
 }

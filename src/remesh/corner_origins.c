@@ -202,8 +202,8 @@ static int triangle_beside(const division *before, const tf_origin *origin,
 {
     const tf_adaptive_surface *surface = before->surface;
     for (int i = 0; i < 3; i++) {
-        int c = tf_first_corner(surface,
-                                tf_triangle(surface, origin->triangle)[i]);
+        int c =
+            tf_first_corner(surface, tf_triangle(surface, origin->triangle)[i]);
         for (; c != TF_NONE; c = tf_next_corner(surface, c)) {
             const tf_sharp_link *link = link_at(before, c);
             if (link && link->side == side && holds(surface, origin, c / 3))
@@ -245,8 +245,8 @@ static tf_origin origin_of(const matching *matched, int corner)
     int region = *source_of(matched, *region_at(now, corner / 3));
     const tf_origin *origin = &matched->origin[vertex];
     const tf_sharp_link *link = edge_before(now, corner);
-    int triangle = link ? triangle_beside(before, origin, link->side)
-                        : origin->triangle;
+    int triangle =
+        link ? triangle_beside(before, origin, link->side) : origin->triangle;
     return triangle != TF_NONE && *region_at(before, triangle) == region
                ? carried(before->surface, origin, triangle)
                : nearest_in(before, region,

@@ -21,8 +21,7 @@ typedef struct tf_origin {
 ///
 /// The point is where the vertex is, up to rounding; a vertex that has not moved
 /// comes from a corner, with the weight 1, and one on a sharp edge or on the
-/// boundary from a point of these.  Only on an edge that has become sharp may a
-/// vertex be beside the old surface; then the point is the nearest one.
+/// boundary from a point of these.
 ///
 /// Where sheets of the surface are near each other, the point is on the sheet
 /// that has become the one of the vertex, even if another sheet is nearer.

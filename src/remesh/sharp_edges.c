@@ -71,7 +71,8 @@ static void add_link(tf_sharp_edges *all, int from, int to, double length,
         link = all->links++;
     else
         all->unused = link_of(all, link)->next;
-    *link_of(all, link) = (tf_sharp_link){to, *first_of(all, from), length, side};
+    *link_of(all, link) =
+        (tf_sharp_link){to, *first_of(all, from), length, side};
     *first_of(all, from) = link;
 }
 
@@ -267,8 +268,8 @@ static void number_sides(tf_sharp_edges *all)
 {
     for (int pass = 0; pass < 2; pass++)
         for (int v = 0; v < all->vertices; v++) {
-            int link = pass == 1 || *held_at(all, v) ? *first_of(all, v)
-                                                     : TF_NONE;
+            int link =
+                pass == 1 || *held_at(all, v) ? *first_of(all, v) : TF_NONE;
             for (; link != TF_NONE; link = link_of(all, link)->next)
                 number_side(all, v, link_of(all, link));
         }

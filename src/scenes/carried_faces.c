@@ -25,9 +25,8 @@ static void divide_face(tf_carried_faces *carried, const tf_mesh_file *file,
         carried->face[t] = number;
     for (int c = 3 * face->triangle; c < 3 * end; c++)
         carried->texture[c] =
-            texture
-                ? texture_at(face, texture + corner, file->triangle.item[c])
-                : -1;
+            texture ? texture_at(face, texture + corner, file->triangle.item[c])
+                    : -1;
 }
 
 static bool divide_faces(tf_carried_faces *carried, const tf_mesh_file *file)

@@ -127,9 +127,7 @@ static thing meaning_of_property(thing of, const char *at, bool keeps_faces)
     bool is_integer = *type != 'f' && *type != 'd';
     bool is_kept = of == VERTEX_PROPERTIES ||
                    (of == FACE_PROPERTIES && is_integer && keeps_faces);
-    return is_kept && !list
-               ? NOTHING
-               : meaning_of(words, name, length, of);
+    return is_kept && !list ? NOTHING : meaning_of(words, name, length, of);
 }
 
 static thing meaning_of_element(const char *at)

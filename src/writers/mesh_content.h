@@ -14,8 +14,8 @@ typedef struct tf_mesh_content {
                                ///< NULL.  OBJ has red, green and blue alone
     const tf_face_attributes *faces; ///< what each face has in this format, of
                                      ///< OBJ or PLY; or NULL
-    const tf_mesh_file *from;  ///< the file that has the same elements, and
-                               ///< polygons or a source perhaps; or NULL
+    const tf_mesh_file *from;   ///< the file that has the same elements, and
+                                ///< polygons or a source perhaps; or NULL
     const tf_mesh_file *joined; ///< the file of which vertices were joined, if
                                 ///< its source can be written; or NULL
     const int *number;          ///< of each of its vertices here, or -1

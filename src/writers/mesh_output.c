@@ -66,9 +66,9 @@ void tf_mesh_output_remark(const char *path, const tf_mesh_content *content,
 /// PLY holds what faces had in PLY, and OBJ what they had in OBJ.
 static bool holds_faces(const tf_mesh_file *made_of, tf_mesh_format format)
 {
-    return made_of->format == TF_OBJ ? format == TF_OBJ
-                                     : format >= TF_PLY_TEXT &&
-                                           format <= TF_PLY_BIG_ENDIAN;
+    return made_of->format == TF_OBJ
+               ? format == TF_OBJ
+               : format >= TF_PLY_TEXT && format <= TF_PLY_BIG_ENDIAN;
 }
 
 static bool write_mesh(tf_destination *to, const tf_mesh_content *content,

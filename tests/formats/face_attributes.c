@@ -20,8 +20,8 @@ static void begin(const char *text)
     memcpy(copy, text, size + 1);
     faces = (tf_face_attributes){0};
     source = (tf_source){.faces = &faces};
-    ck_assert(tf_mesh_file_parse_all(&file, "mesh", copy, size, NULL,
-                                     &source, &fault));
+    ck_assert(tf_mesh_file_parse_all(&file, "mesh", copy, size, NULL, &source,
+                                     &fault));
 }
 
 static void end(void)
@@ -83,7 +83,8 @@ START_TEST(texture_coordinates_of_obj_are_kept)
           "f 1/1 2/2/8 3/3\nf 1/-1/9 2//3 3/1\nf 1/-1 2/-2 3/1 4/2\n");
     ck_assert_int_eq((int)faces.texture.rows, 3);
     ck_assert_int_eq(faces.texture_axes, 3);
-    ck_assert_mem_eq(faces.texture.value, ((double[]){1, 0, 0, 2, 3, 0, 4, 5, 6}),
+    ck_assert_mem_eq(faces.texture.value,
+                     ((double[]){1, 0, 0, 2, 3, 0, 4, 5, 6}),
                      9 * sizeof(double));
     ck_assert_int_eq((int)faces.corner.count, 10);
     ck_assert_mem_eq(faces.corner.item, rows, sizeof rows);

@@ -206,7 +206,7 @@ static const obj *read_obj(const char *name)
     memset(&read, 0, sizeof read);
     now[0] = '\0';
     for (const char *at = file_text(name); *at; at += strcspn(at, "\n") + 1) {
-        int (*v)[3] = read.vertex, (*t)[3] = read.texture, i = read.triangles;
+        int(*v)[3] = read.vertex, (*t)[3] = read.texture, i = read.triangles;
         if (at[0] == 'v' && at[1] == ' ') {
             double *x = read.x[read.vertices++];
             sscanf(at, "v %lf %lf %lf", &x[0], &x[1], &x[2]);
@@ -374,7 +374,7 @@ END_TEST
 
 #define LABELLED                                                               \
     "element vertex 6\nproperty float x\nproperty float y\n"                   \
-    "property float z\nelement face 3\nproperty short label\n"                \
+    "property float z\nelement face 3\nproperty short label\n"                 \
     "property list uchar int vertex_indices\nproperty float heat\n"            \
     "property uchar red\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n"      \
     "2 1 0\n-7 4 0 1 2 3 0.5 9\n300 3 1 4 5 0.5 9\n300 3 1 5 2 0.5 9\n"

@@ -26,7 +26,7 @@ static struct {
     int vertex[3 * TRIANGLES];
     double position[(SIDE + 1) * (SIDE + 1)][3];
     int keep[2 * EDGES], keeps;
-    int region[TRIANGLES];        // equal where no cut is between
+    int region[TRIANGLES]; // equal where no cut is between
     double value[3 * TRIANGLES];
 } sheet;
 
@@ -212,14 +212,15 @@ START_TEST(a_triangle_comes_from_one_region)
         for (int c = 0; c < 3 * sheet.surface->triangles; c++) {
             ck_assert_int_eq(sheet.region[origin[c].triangle],
                              sheet.region[origin[c / 3 * 3].triangle]);
-            const double *x = coordinates_of(
-                sheet.surface, tf_vertex_at(sheet.surface, c));
+            const double *x =
+                coordinates_of(sheet.surface, tf_vertex_at(sheet.surface, c));
             for (int k = 0; k < 2; k++) {
                 double from = 0;
                 for (int i = 0; i < 3; i++)
-                    from += origin[c].barycentric[i] *
-                            sheet.position[sheet.vertex[3 * origin[c].triangle +
-                                                        i]][k];
+                    from +=
+                        origin[c].barycentric[i] *
+                        sheet.position[sheet.vertex[3 * origin[c].triangle + i]]
+                                      [k];
                 ck_assert_double_eq_tol(from, x[k], 0.02);
             }
         }
@@ -237,16 +238,16 @@ START_TEST(no_corner_comes_from_beyond_a_cut)
     tf_adaptive_surface *surface = adaptive_sheet(4, 4);
     tf_adaptive_surface *before = adaptive_sheet(4, 4);
     tf_remesher remesher = {.surface = surface, .original.surface = before};
-    ck_assert_int_eq(tf_sharp_edges_find(&remesher.sharp_before, before,
-                                         &sharpness, NULL),
-                     TF_OK);
+    ck_assert_int_eq(
+        tf_sharp_edges_find(&remesher.sharp_before, before, &sharpness, NULL),
+        TF_OK);
     ck_assert(tf_sharp_edges_copy(&remesher.sharp, &remesher.sharp_before));
     ck_assert(tf_trace_begin(&remesher.trace, &remesher.original,
                              &remesher.sharp_before));
     tf_origin *of = remesher.trace.origin.data;
     of[6] = of[12] = (tf_origin){29, {0.25, 0.25, 0.5}};
-    ck_assert_int_eq(
-        tf_corner_origins_find(&remesher, &remesher.corner_origin), TF_OK);
+    ck_assert_int_eq(tf_corner_origins_find(&remesher, &remesher.corner_origin),
+                     TF_OK);
     const tf_origin *origin = remesher.corner_origin.data;
     for (int c = 0; c < 3 * surface->triangles; c++) {
         ck_assert_int_eq(origin[c].triangle / 16, c / 3 / 16);
@@ -254,9 +255,9 @@ START_TEST(no_corner_comes_from_beyond_a_cut)
             double x = 0;
             for (int i = 0; i < 3; i++)
                 x += origin[c].barycentric[i] *
-                     coordinates_of(before,
-                                    tf_vertex_at(before,
-                                                 3 * origin[c].triangle + i))[k];
+                     coordinates_of(
+                         before,
+                         tf_vertex_at(before, 3 * origin[c].triangle + i))[k];
             ck_assert_double_eq(
                 x, coordinates_of(surface, tf_vertex_at(surface, c))[k]);
         }
@@ -292,8 +293,8 @@ static tf_adaptive_surface *globe(void)
         int east = v % MERIDIANS == MERIDIANS - 1 ? v + 1 - MERIDIANS : v + 1;
         bool first = v < MERIDIANS, last = v >= GLOBE - 2 - MERIDIANS;
         const int cap[] = {GLOBE - 2, east, v}, top[] = {GLOBE - 1, v, east};
-        const int square[] = {v,    east, v + MERIDIANS,
-                              east, east + MERIDIANS, v + MERIDIANS};
+        const int square[] = {
+            v, east, v + MERIDIANS, east, east + MERIDIANS, v + MERIDIANS};
         for (int k = 0; k < 3 && first; k++)
             triangle[count++] = cap[k];
         for (int k = 0; k < 6; k++)

@@ -24,8 +24,8 @@ static void begin(const char *text)
     faces = (tf_carried_faces){0};
     source = (tf_source){.faces = &faces.from};
     kept = (tf_kept_edges){0};
-    ck_assert(tf_mesh_file_parse_all(&file, "mesh", copy, size, NULL,
-                                     &source, &fault));
+    ck_assert(tf_mesh_file_parse_all(&file, "mesh", copy, size, NULL, &source,
+                                     &fault));
     ck_assert(tf_carried_faces_begin(&faces, &file, &kept));
 }
 

@@ -12,7 +12,7 @@ enum {
     ROUNDS = 3
 };
 
-static const double edge = 0.2, gaps[GAPS] = {0.02, 0.05, 0.1, 0.15, 0.2, 0.4};
+static const double edge = 0.2, gaps[GAPS] = {0.01, 0.05, 0.1, 0.15, 0.2, 0.4};
 
 /// Percent of the operations tried, that S refuses and that other tests do.
 static void measure(double gap, double percent[TESTS])

@@ -13,7 +13,7 @@ enum {
     ROUNDS = 5
 };
 
-static const double edge = 0.11;
+static const double edge = 0.1;
 
 /// The remeshing of the plate, done once.
 static const fig_remeshing *remeshing_of_plate(void)

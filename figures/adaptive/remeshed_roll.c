@@ -15,7 +15,7 @@ static const double edge = 0.2, radius = 0.3, gap = 0.013, turns = 3,
                     edge_before = 0.07;
 
 /// The height at which the roll is cut for the picture.
-static const double height = 0.1401;
+static const double height = 0.4901;
 
 /// The parts of the plane that are shown: of all, and of what is enlarged.
 static const double reach = 0.35, window[2] = {0.17, 0.245}, half = 0.085;

@@ -11,7 +11,7 @@ enum {
     AROUND = 48
 };
 
-static const double edge = 0.11;
+static const double edge = 0.1;
 
 static const struct {
     const char *name;

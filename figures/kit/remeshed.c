@@ -84,7 +84,8 @@ fig_some_mesh fig_roll_of_sheet(double radius, double gap, double turns,
 {
     const double tau = 2 * acos(-1);
     double length = tau * turns * (radius + gap * turns / 2);
-    int along = (int)ceil(length / edge), across = 4;
+    // So tall that little of it is near the boundary, which keeps its edges.
+    int along = (int)ceil(length / edge), across = 14;
     fig_some_mesh mesh =
         with_room((along + 1) * (across + 1), 2 * along * across);
     for (int i = 0; i <= along; i++)

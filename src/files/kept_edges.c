@@ -52,6 +52,16 @@ bool tf_kept_edges_read(tf_kept_edges *kept, const char *path, int vertices,
     return reading == TF_READ_END;
 }
 
+bool tf_kept_edges_add(tf_kept_edges *kept, int from, int to)
+{
+    if (!extend(kept))
+        return false;
+    int *vertex = kept->vertex + 2 * (size_t)kept->count++;
+    vertex[0] = from;
+    vertex[1] = to;
+    return true;
+}
+
 void tf_kept_edges_free(tf_kept_edges *kept)
 {
     free(kept->vertex);

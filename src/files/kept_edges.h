@@ -13,4 +13,8 @@ typedef struct tf_kept_edges {
 /// False: there is a fault.  Free the edges in any case.
 bool tf_kept_edges_read(tf_kept_edges *kept, const char *path, int vertices,
                         tf_fault *fault);
+
+/// Adds the edge between two vertices.  False: there is no memory.
+bool tf_kept_edges_add(tf_kept_edges *kept, int from, int to);
+
 void tf_kept_edges_free(tf_kept_edges *kept);

@@ -2,6 +2,7 @@
 #define _GNU_SOURCE // memmem
 #include "formats/mesh_reader.h"
 
+#include "formats/face_attributes.h"
 #include "formats/file_bytes.h"
 #include "formats/foreign.h"
 #include "formats/msh_file.h"
@@ -153,6 +154,8 @@ static void keep_text(tf_source *source, char *text, size_t size)
         source->text = text;
     if (source)
         source->size = size;
+    if (source && source->faces)
+        source->faces->text = source->text;
 }
 
 bool tf_mesh_file_parse_all(tf_mesh_file *file, const char *name, char *text,

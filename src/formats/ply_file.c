@@ -4,6 +4,7 @@
 #include "files/number.h"
 #include "files/text.h"
 #include "formats/binary.h"
+#include "formats/face_attributes.h"
 
 #include <limits.h>
 #include <math.h>
@@ -84,7 +85,7 @@ typedef struct reader {
     tf_mesh_file *file; ///< its format is TF_OBJ until that is known
     int elements;
     ply_element element[ELEMENTS];
-    double value[TF_MOST_COLUMNS]; ///< of a vertex, for the columns
+    double value[TF_MOST_COLUMNS]; ///< of a vertex or a face, for its columns
     tf_ints corner;                ///< of a face
 } reader;
 
@@ -239,11 +240,23 @@ static bool read_element(reader *r, const char *name, const char *count)
 }
 
 //: Declare a column
-/// A scalar property of vertices that has no role.
-static bool add_column(const reader *r, const ply_element *element,
-                       ply_property *made)
+/// The columns that keep a scalar property without a role, or NULL: all of
+/// vertices, and integers of faces.
+static tf_columns *columns_for(const reader *r, const ply_element *element,
+                               const ply_property *made)
 {
-    tf_columns *columns = r->file->columns;
+    tf_face_attributes *faces = r->file->source ? r->file->source->faces : NULL;
+    if (made->length || made->role != NONE)
+        return NULL;
+    return element->target == VERTICES ? r->file->columns
+           : element->target == FACES && faces && made->item->kind != FLOAT
+               ? &faces->row
+               : NULL;
+}
+
+static bool add_column(const reader *r, const ply_element *element,
+                       tf_columns *columns, ply_property *made)
+{
     tf_column *column = &columns->column[columns->count];
     if (made->name_length >= sizeof column->name)
         return tf_text_fault(&r->text,
@@ -350,10 +363,9 @@ static bool read_property(reader *r, const tf_quoted word[])
                              "more than %d properties; delete those that are "
                              "no coordinates or indices",
                              PROPERTIES);
-    bool keeps = r->file->columns && element->target == VERTICES && !list &&
-                 made.role == NONE;
+    tf_columns *columns = columns_for(r, element, &made);
     if (!check_name(r, element, &made) ||
-        (keeps && !add_column(r, element, &made)))
+        (columns && !add_column(r, element, columns, &made)))
         return false;
     if (element->target == VERTICES && made.role != NONE)
         keep_declaration(r, &made);
@@ -664,6 +676,21 @@ static bool add_strips(const reader *r, long at)
     return true;
 }
 
+//: Add what a face has
+static bool add_face_row(const reader *r)
+{
+    tf_face_attributes *faces = r->file->source ? r->file->source->faces : NULL;
+    return !faces || tf_columns_add(&faces->row, r->value) ||
+           tf_mesh_file_fault_in_memory(r->file);
+}
+
+/// The triangles of strips have no rows; where there are some, no face has one.
+static void drop_rows(const reader *r)
+{
+    if (r->file->source && r->file->source->faces && has_any(r, STRIPS))
+        tf_columns_free(&r->file->source->faces->row);
+}
+
 //: Add an item to the mesh
 static bool add_item(const reader *r, int to, const item *made, long at)
 {
@@ -674,7 +701,8 @@ static bool add_item(const reader *r, int to, const item *made, long at)
                tf_mesh_file_add_vertex(r->file, made->x, at) &&
                tf_mesh_file_add_row(r->file, r->value);
     case FACES:
-        return tf_mesh_file_add_face(r->file, r->corner.item,
+        return add_face_row(r) &&
+               tf_mesh_file_add_face(r->file, r->corner.item,
                                      (int)r->corner.count, at);
     case STRIPS:
         return add_strips(r, at);
@@ -748,6 +776,7 @@ bool tf_ply_parse(tf_mesh_file *file, const char *text, size_t size)
     bool good = read_header(&r);
     file->counts_bytes = good && !is_text(&r);
     good = good && read_items(&r);
+    drop_rows(&r);
     free(r.corner.item);
     return good;
 }

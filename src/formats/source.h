@@ -34,6 +34,9 @@ typedef struct tf_source_part {
     int vertex; ///< of a corner
 } tf_source_part;
 
+/// See formats/face_attributes.h.
+typedef struct tf_face_attributes tf_face_attributes;
+
 /// A file as it was read, so that it can be written again with other
 /// coordinates.  All zero: there is none.
 typedef struct tf_source {
@@ -45,6 +48,9 @@ typedef struct tf_source {
     /// vertices can be numbered anew.  It is not set any more when others refer
     /// to vertices than vertices, triangles, polygons, edges and points.
     bool keeps_parts;
+    /// To be set first: for what the faces of OBJ and PLY have; borrowed; NULL:
+    /// that is skipped.
+    tf_face_attributes *faces;
     tf_source_part *part; ///< in the order of the file
     size_t parts, part_room;
     bool is_big_endian; ///< in binary

@@ -6,6 +6,7 @@
 #include "program/reports.h"
 #include "remesh/origins.h"
 #include "remesh/remesh.h"
+#include "scenes/carried_faces.h"
 #include "scenes/flaws.h"
 #include "scenes/forecast.h"
 #include "scenes/frames.h"
@@ -21,6 +22,7 @@ typedef struct remeshing {
     tf_columns columns; ///< what the vertices of the file have
     tf_source source;   ///< the file itself
     tf_columns carried; ///< and those of the surface then
+    tf_carried_faces faces;
     tf_adaptive_surface *surface;
     tf_kept_edges kept;
     double *length; ///< of each vertex, or NULL
@@ -77,7 +79,7 @@ static bool show_progress(void *context, const tf_stage *stage)
 }
 
 //: Refuse how to remesh
-/// A length that is too short, or a kept edge that is none.
+/// A length that is too short, or a kept edge of the file that is none.
 static bool refuse_option(remeshing *r, const tf_error *error)
 {
     if (strcmp(error->option, "error") == 0)
@@ -144,7 +146,7 @@ static bool carry(remeshing *r)
                                 3 * (size_t)origin[v].triangle,
                             origin[v].barycentric))
             return tf_mesh_file_fault_in_memory(file);
-    return true;
+    return tf_carried_faces_make(&r->faces, file, r->surface);
 }
 
 //: Remesh and write
@@ -154,6 +156,10 @@ static bool write(remeshing *r)
                                .position = tf_adaptive_positions(r->surface),
                                .columns =
                                    r->carried.count > 0 ? &r->carried : NULL};
+    if (r->faces.triangle) {
+        content.faces = &r->faces.made;
+        content.mesh.triangle = r->faces.triangle;
+    }
     tf_mesh_report report = {*r->request->format, tf_remeshed_fields, &r->done};
     r->done.triangles_after = content.mesh.triangles;
     return tf_mesh_output_write(&r->out, &content, tf_frames_file(&r->frames),
@@ -165,6 +171,8 @@ static bool do_all(remeshing *r)
     const tf_request *wanted = r->request;
     if (!tf_frames_next(&r->frames, wanted->operand[0]) || !load(r) ||
         !read_kept(r) || !read_lengths(r) ||
+        !tf_carried_faces_begin(&r->faces, tf_frames_file(&r->frames),
+                                &r->kept) ||
         !tf_mesh_output_begin(&r->out, wanted->out, tf_frames_file(&r->frames),
                               &r->frames.fault))
         return false;
@@ -185,6 +193,7 @@ static int run(const tf_request *request)
                    .progress = tf_progress_line_begin(true)};
     r.frames.columns = &r.columns;
     r.frames.source = &r.source;
+    r.source.faces = &r.faces.from;
     bool good = do_all(&r);
     tf_fault_print(&r.frames.fault, "tanglefree");
     tf_destination_end(&r.out);
@@ -193,6 +202,7 @@ static int run(const tf_request *request)
     tf_adaptive_free(r.surface);
     tf_columns_free(&r.columns);
     tf_columns_free(&r.carried);
+    tf_carried_faces_free(&r.faces);
     tf_source_free(&r.source);
     tf_frames_free(&r.frames);
     return good ? 0 : 2;

@@ -9,3 +9,9 @@ const tf_origin *tf_adaptive_origins(const tf_adaptive_surface *surface)
     TF_REQUIRE(surface);
     return surface->lent.has_origins ? surface->lent.origin.data : NULL;
 }
+
+const tf_origin *tf_adaptive_corner_origins(const tf_adaptive_surface *surface)
+{
+    TF_REQUIRE(surface);
+    return surface->lent.has_origins ? surface->lent.corner_origin.data : NULL;
+}

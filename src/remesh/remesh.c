@@ -4,6 +4,7 @@
 #include "base/environment.h"
 #include "base/require.h"
 #include "base/sized.h"
+#include "remesh/corner_origins.h"
 #include "remesh/keep_shape.h"
 #include "remesh/measure.h"
 #include "remesh/passes.h"
@@ -164,7 +165,11 @@ static tf_status do_all(tf_remesher *remesher, tf_sizes *sizes,
                                  &report->mean_after);
     // With a bound the measure must be as fine as when that was kept.
     double fine = error > 0 ? error / 100 : 1e-4 * remesher->edge;
-    return status == TF_OK ? measure_distance(remesher, fine) : status;
+    if (status == TF_OK)
+        status = measure_distance(remesher, fine);
+    return status == TF_OK
+               ? tf_corner_origins_find(remesher, &remesher->corner_origin)
+               : status;
 }
 
 //: Check lengths
@@ -283,9 +288,11 @@ static void accept(tf_remesher *remesher, tf_adaptive_surface *surface)
     tf_adaptive_lent *lent = &surface->lent;
     tf_draft_accept(remesher->surface, surface);
     tf_buffer_free(&lent->origin);
+    tf_buffer_free(&lent->corner_origin);
     lent->origin = remesher->trace.origin;
+    lent->corner_origin = remesher->corner_origin;
     lent->has_origins = true;
-    remesher->trace.origin = (tf_buffer){0};
+    remesher->trace.origin = remesher->corner_origin = (tf_buffer){0};
     *(tf_remesh_report *)lent->remesh_report.data = remesher->report;
 }
 

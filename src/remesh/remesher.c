@@ -10,6 +10,7 @@ void tf_remesher_free(tf_remesher *remesher)
     tf_trace_free(&remesher->trace);
     tf_sharp_edges_free(&remesher->sharp);
     tf_sharp_edges_free(&remesher->sharp_before);
+    tf_buffer_free(&remesher->corner_origin);
     tf_buffer_free(&remesher->map);
     tf_buffer_free(&remesher->row);
     tf_sort_memory_free(&remesher->sorting);

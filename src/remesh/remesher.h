@@ -22,6 +22,7 @@ typedef struct tf_remesher {
     tf_sharp_edges sharp;        ///< of the surface, by now
     tf_sharp_edges sharp_before; ///< of the original
     tf_trace trace;              ///< to it
+    tf_buffer corner_origin;     ///< tf_origin of each corner, at the end
     tf_remesh_report report;
     size_t restored[TF_OUTCOMES]; ///< moves that were to restore volume
     tf_buffer map;                ///< of vertices, when gaps are closed

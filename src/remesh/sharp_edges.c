@@ -49,7 +49,7 @@ bool tf_sharp_edges_extend(tf_sharp_edges *all, int vertices)
 /// All vertices lose their sharp edges.
 static bool begin_sharp_edges(tf_sharp_edges *all, int vertices)
 {
-    all->vertices = all->links = 0;
+    all->vertices = all->links = all->sides = 0;
     all->unused = TF_NONE;
     return tf_sharp_edges_extend(all, vertices);
 }
@@ -63,27 +63,36 @@ void tf_sharp_edges_free(tf_sharp_edges *all)
 
 //: Add a sharp edge
 /// For which there is room.
-static void add_link(tf_sharp_edges *all, int from, int to, double length)
+static void add_link(tf_sharp_edges *all, int from, int to, double length,
+                     int side)
 {
     int link = all->unused;
     if (link == TF_NONE)
         link = all->links++;
     else
         all->unused = link_of(all, link)->next;
-    *link_of(all, link) = (tf_sharp_link){to, *first_of(all, from), length};
+    *link_of(all, link) =
+        (tf_sharp_link){to, *first_of(all, from), length, side};
     *first_of(all, from) = link;
+}
+
+/// By its sides from a to b, and back.
+static bool add_edge(tf_sharp_edges *all, int a, int b, double length,
+                     const int side[2])
+{
+    if (!tf_buffer_extend(&all->link, (size_t)all->links + 2,
+                          sizeof(tf_sharp_link)))
+        return false;
+    add_link(all, a, b, length, side[0]);
+    add_link(all, b, a, length, side[1]);
+    return true;
 }
 
 bool tf_sharp_edges_add(tf_sharp_edges *all, int a, int b, double length)
 {
-    if (tf_find_sharp_edge(all, a, b))
-        return true;
-    if (!tf_buffer_extend(&all->link, (size_t)all->links + 2,
-                          sizeof(tf_sharp_link)))
-        return false;
-    add_link(all, a, b, length);
-    add_link(all, b, a, length);
-    return true;
+    static const int no_sides[] = {TF_NONE, TF_NONE};
+    return tf_find_sharp_edge(all, a, b) ||
+           add_edge(all, a, b, length, no_sides);
 }
 
 //: Remove a sharp edge
@@ -107,10 +116,12 @@ static void remove_edge(tf_sharp_edges *all, int a, int b)
 //: Hand on sharp edges
 bool tf_sharp_edges_split(tf_sharp_edges *all, int a, int b, int vertex)
 {
-    double half = tf_find_sharp_edge(all, a, b)->length / 2;
+    const tf_sharp_link *forth = tf_find_sharp_edge(all, a, b);
+    double half = forth->length / 2;
+    int side[] = {forth->side, tf_find_sharp_edge(all, b, a)->side};
     remove_edge(all, a, b);
-    return tf_sharp_edges_add(all, a, vertex, half) &&
-           tf_sharp_edges_add(all, vertex, b, half);
+    return add_edge(all, a, vertex, half, side) &&
+           add_edge(all, vertex, b, half, side);
 }
 
 /// Each sharp edge that is removed makes room for the one that takes its place.
@@ -120,11 +131,12 @@ void tf_sharp_edges_collapse(tf_sharp_edges *all, int from, int to)
     double length = along ? along->length : 0;
     while (*first_of(all, from) != TF_NONE) {
         tf_sharp_link next = *link_of(all, *first_of(all, from));
+        int back = tf_find_sharp_edge(all, next.to, from)->side;
         remove_edge(all, from, next.to);
         if (next.to == to)
             continue;
-        add_link(all, to, next.to, length + next.length);
-        add_link(all, next.to, to, length + next.length);
+        add_link(all, to, next.to, length + next.length, next.side);
+        add_link(all, next.to, to, length + next.length, back);
     }
 }
 
@@ -143,6 +155,7 @@ bool tf_sharp_edges_copy(tf_sharp_edges *all, const tf_sharp_edges *from)
     all->vertices = from->vertices;
     all->links = from->links;
     all->unused = from->unused;
+    all->sides = from->sides;
     return copy(&all->first, &from->first, all->vertices, sizeof(int)) &&
            copy(&all->held, &from->held, all->vertices, sizeof(bool)) &&
            copy(&all->link, &from->link, all->links, sizeof(tf_sharp_link));
@@ -226,6 +239,42 @@ static bool is_corner(const tf_sharp_edges *all,
     return count > 0 && !(count == 2 && tf_vector_length(sum) < 0.5);
 }
 
+//: Number the sides of sharp edges
+/// The link with which a line of sharp edges goes on from the end of another
+/// one; NULL: it ends there.
+static tf_sharp_link *link_after(const tf_sharp_edges *all, int from, int end)
+{
+    if (*held_at(all, end))
+        return NULL;
+    tf_sharp_link *next = link_of(all, *first_of(all, end));
+    return next->to == from ? link_of(all, next->next) : next;
+}
+
+/// Gives a new number to the side of a line from a link on.
+static void number_side(tf_sharp_edges *all, int from, tf_sharp_link *link)
+{
+    if (link->side != TF_NONE)
+        return;
+    for (int end; link && link->side == TF_NONE; from = end) {
+        link->side = all->sides;
+        end = link->to;
+        link = link_after(all, from, end);
+    }
+    all->sides++;
+}
+
+/// Lines that end somewhere are numbered from there on, and then the closed ones.
+static void number_sides(tf_sharp_edges *all)
+{
+    for (int pass = 0; pass < 2; pass++)
+        for (int v = 0; v < all->vertices; v++) {
+            int link =
+                pass == 1 || *held_at(all, v) ? *first_of(all, v) : TF_NONE;
+            for (; link != TF_NONE; link = link_of(all, link)->next)
+                number_side(all, v, link_of(all, link));
+        }
+}
+
 //: Find the sharp edges of a surface
 const tf_sharpness tf_sharp_boundary = {.cosine = -2, .depth = INFINITY};
 
@@ -288,8 +337,11 @@ tf_status tf_sharp_edges_find(tf_sharp_edges *all,
     tf_status status = add_sharp(all, surface, sharpness, watch);
     if (status == TF_OK && !add_kept(all, surface, sharpness))
         status = TF_OUT_OF_MEMORY;
-    return status == TF_OK ? hold_corners(all, surface, sharpness, watch)
-                           : status;
+    if (status == TF_OK)
+        status = hold_corners(all, surface, sharpness, watch);
+    if (status == TF_OK)
+        number_sides(all);
+    return status;
 }
 
 //: Find the freedom of a vertex

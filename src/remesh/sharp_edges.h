@@ -11,6 +11,7 @@ typedef struct tf_sharp_edges {
     tf_buffer link;  ///< tf_sharp_link each, two for each sharp edge
     tf_buffer held;  ///< bool of each vertex: whether it is a corner
     int vertices, links;
+    int sides;  ///< how many numbers of sides there are
     int unused; ///< the first of a list of links, or TF_NONE
 } tf_sharp_edges;
 
@@ -18,6 +19,9 @@ typedef struct tf_sharp_edges {
 typedef struct tf_sharp_link {
     int to, next;  ///< `next` is another link of the vertex, or TF_NONE
     double length; ///< of the original's edges that this one stands for
+    int side; ///< the number of the left side, in this direction, of the line
+              ///< of the original's sharp edges that it is a part of: such a
+              ///< line ends at corners alone
 } tf_sharp_link;
 
 //: Declare how sharp edges are found

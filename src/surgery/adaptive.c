@@ -84,7 +84,7 @@ size_t tf_adaptive_memory(const tf_adaptive_surface *surface)
            boxes->stack.bytes + surgery->removed.bytes + surgery->added.bytes +
            surgery->swept.bytes + surgery->boundary.bytes + lent->mesh.bytes +
            lent->remesh_report.bytes + lent->reconnect_report.bytes +
-           lent->origin.bytes;
+           lent->origin.bytes + lent->corner_origin.bytes;
 }
 
 //: Lend an adaptive surface

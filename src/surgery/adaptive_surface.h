@@ -50,6 +50,7 @@ typedef struct tf_adaptive_lent {
     tf_buffer remesh_report;    ///< of the last time
     tf_buffer reconnect_report; ///< of the last time
     tf_buffer origin;           ///< tf_origin of each vertex
+    tf_buffer corner_origin;    ///< tf_origin of each corner
     bool has_origins; ///< whether these are those of the surface as it is
 } tf_adaptive_lent;
 

@@ -68,4 +68,5 @@ void tf_draft_free(tf_adaptive_surface *draft)
     tf_buffer_free(&draft->lent.remesh_report);
     tf_buffer_free(&draft->lent.reconnect_report);
     tf_buffer_free(&draft->lent.origin);
+    tf_buffer_free(&draft->lent.corner_origin);
 }

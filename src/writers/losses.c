@@ -88,7 +88,7 @@ static const char *next_line(const char *at)
 }
 
 //: Find out what is in the lines of OBJ
-static void find_in_obj(const char *text, things *found)
+static void find_in_obj(const char *text, bool keeps_faces, things *found)
 {
     static const meaning words[] = {
         {"v", NOTHING},  {"f", NOTHING},   {"l", NOTHING},
@@ -103,11 +103,16 @@ static void find_in_obj(const char *text, things *found)
                                 : meaning_of(words, word, length, LINES)] =
             true;
     }
+    found->has[NAMES] &= !keeps_faces;
+    found->has[GROUPS] &= !keeps_faces;
+    found->has[MATERIALS] &= !keeps_faces;
+    found->has[TEXTURE] &= !keeps_faces;
 }
 
 //: Find out what is in the header of PLY
-/// Those of vertices that are no lists are found among the columns.
-static thing meaning_of_property(thing of, const char *at)
+/// Those of vertices that are no lists are found among the columns; integers of
+/// faces may be kept.
+static thing meaning_of_property(thing of, const char *at, bool keeps_faces)
 {
     static const meaning words[] = {
         {"vertex_indices", NOTHING}, {"vertex_index", NOTHING},
@@ -119,9 +124,10 @@ static thing meaning_of_property(thing of, const char *at)
     for (int i = 0; i < (list ? 2 : 0); i++)
         next_word(&at, &length);
     const char *name = next_word(&at, &length);
-    return of == VERTEX_PROPERTIES && !list
-               ? NOTHING
-               : meaning_of(words, name, length, of);
+    bool is_integer = *type != 'f' && *type != 'd';
+    bool is_kept = of == VERTEX_PROPERTIES ||
+                   (of == FACE_PROPERTIES && is_integer && keeps_faces);
+    return is_kept && !list ? NOTHING : meaning_of(words, name, length, of);
 }
 
 static thing meaning_of_element(const char *at)
@@ -136,7 +142,7 @@ static thing meaning_of_element(const char *at)
     return meaning_of(words, name, length, ELEMENTS);
 }
 
-static void find_in_ply(const char *text, things *found)
+static void find_in_ply(const char *text, bool keeps_faces, things *found)
 {
     static const meaning words[] = {
         {"comment", COMMENTS}, {"obj_info", COMMENTS},
@@ -153,7 +159,7 @@ static void find_in_ply(const char *text, things *found)
         if (line_is == COMMENTS)
             found->has[COMMENTS] = true;
         if (line_is == VERTEX_PROPERTIES)
-            found->has[meaning_of_property(of, at)] = true;
+            found->has[meaning_of_property(of, at, keeps_faces)] = true;
     }
 }
 
@@ -263,12 +269,13 @@ static bool holds(tf_mesh_format format, thing what)
                               : format != TF_OBJ && format != TF_OFF && !stl;
 }
 
-static void find_in_source(const tf_mesh_file *file, things *found)
+static void find_in_source(const tf_mesh_file *file, bool keeps_faces,
+                           things *found)
 {
     const char *text = tf_text_begin(file->source->text);
     switch (file->format) {
     case TF_OBJ:
-        find_in_obj(text, found);
+        find_in_obj(text, keeps_faces, found);
         break;
     case TF_STL_TEXT:
         find_in_text_stl(text, found);
@@ -283,15 +290,15 @@ static void find_in_source(const tf_mesh_file *file, things *found)
         find_in_msh(file, found);
         break;
     default:
-        find_in_ply(file->source->text, found);
+        find_in_ply(file->source->text, keeps_faces, found);
         break;
     }
 }
 
 static void find_all(const tf_mesh_file *file, tf_mesh_format format,
-                     things *lost)
+                     bool keeps_faces, things *lost)
 {
-    find_in_source(file, lost);
+    find_in_source(file, keeps_faces, lost);
     if (!holds(format, VERTEX_PROPERTIES))
         find_in_columns(file->columns, holds(format, COLORS), lost);
     lost->has[POLYGONS] =
@@ -306,12 +313,13 @@ static void add_text(tf_losses *list, const char *text)
     snprintf(list->text + length, sizeof list->text - length, "%s", text);
 }
 
-tf_losses tf_find_losses(const tf_mesh_file *file, tf_mesh_format format)
+tf_losses tf_find_losses(const tf_mesh_file *file, tf_mesh_format format,
+                         bool keeps_faces)
 {
     tf_losses list = {""};
     things lost = {{0}};
     int count = 0, listed = 0;
-    find_all(file, format, &lost);
+    find_all(file, format, keeps_faces, &lost);
     for (int i = 0; i < THINGS; i++)
         count += lost.has[i];
     for (int i = 0; i < THINGS; i++)

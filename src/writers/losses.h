@@ -15,7 +15,9 @@ typedef struct tf_losses {
 
 /// What a mesh written in a format does not keep of the file that it was read
 /// from, which has a source.
-tf_losses tf_find_losses(const tf_mesh_file *file, tf_mesh_format format);
+/// @param keeps_faces whether it has what the faces had: see tf_face_attributes
+tf_losses tf_find_losses(const tf_mesh_file *file, tf_mesh_format format,
+                         bool keeps_faces);
 
 /// How many coordinates of a mesh are no floats.
 size_t tf_count_rounded(const double position[], size_t coordinates);

@@ -1,7 +1,7 @@
 //: Declare the content of a mesh
 #pragma once
 
-#include "formats/mesh_file.h"
+#include "formats/face_attributes.h"
 
 /// What is written of a mesh.
 typedef struct tf_mesh_content {
@@ -12,8 +12,10 @@ typedef struct tf_mesh_content {
     const char *notes;         ///< more such lines; or NULL
     const tf_columns *columns; ///< what else each vertex has, in space; or
                                ///< NULL.  OBJ has red, green and blue alone
-    const tf_mesh_file *from;  ///< the file that has the same elements, and
-                               ///< polygons or a source perhaps; or NULL
+    const tf_face_attributes *faces; ///< what each face has in this format, of
+                                     ///< OBJ or PLY; or NULL
+    const tf_mesh_file *from;   ///< the file that has the same elements, and
+                                ///< polygons or a source perhaps; or NULL
     const tf_mesh_file *joined; ///< the file of which vertices were joined, if
                                 ///< its source can be written; or NULL
     const int *number;          ///< of each of its vertices here, or -1

@@ -28,9 +28,9 @@ static tf_visible shown_destination(const char *path)
 }
 
 static void print_losses(const char *path, const tf_mesh_file *made_of,
-                         tf_mesh_format format)
+                         tf_mesh_format format, bool keeps_faces)
 {
-    tf_losses losses = tf_find_losses(made_of, format);
+    tf_losses losses = tf_find_losses(made_of, format, keeps_faces);
     if (*losses.text)
         fprintf(stderr, "tanglefree: %s: without the %s of %s\n",
                 shown_destination(path).text, losses.text,
@@ -57,12 +57,20 @@ void tf_mesh_output_remark(const char *path, const tf_mesh_content *content,
 {
     tf_mesh_format format = tf_mesh_format_of(path, made_of->format);
     if (made_of->source && !tf_mesh_is_source(content, format))
-        print_losses(path, made_of, format);
+        print_losses(path, made_of, format, content->faces);
     if (tf_mesh_has_floats(content, format))
         print_rounding(path, content);
 }
 
 //: Write the mesh and the report
+/// PLY holds what faces had in PLY, and OBJ what they had in OBJ.
+static bool holds_faces(const tf_mesh_file *made_of, tf_mesh_format format)
+{
+    return made_of->format == TF_OBJ
+               ? format == TF_OBJ
+               : format >= TF_PLY_TEXT && format <= TF_PLY_BIG_ENDIAN;
+}
+
 static bool write_mesh(tf_destination *to, const tf_mesh_content *content,
                        tf_mesh_format format)
 {
@@ -101,7 +109,10 @@ bool tf_mesh_output_write(tf_destination *to, const tf_mesh_content *content,
                           const tf_mesh_report *report)
 {
     tf_mesh_format format = tf_mesh_format_of(to->path, made_of->format);
-    tf_mesh_output_remark(to->path, content, made_of);
-    return tf_mesh_check_writable(content, format, to->path, to->fault) &&
-           write_mesh(to, content, format) && finish(to, report);
+    tf_mesh_content held = *content;
+    if (!holds_faces(made_of, format))
+        held.faces = NULL;
+    tf_mesh_output_remark(to->path, &held, made_of);
+    return tf_mesh_check_writable(&held, format, to->path, to->fault) &&
+           write_mesh(to, &held, format) && finish(to, report);
 }

@@ -24,7 +24,8 @@ bool tf_mesh_output_begin(tf_destination *to, const char *path,
 void tf_mesh_output_remark(const char *path, const tf_mesh_content *content,
                            const tf_mesh_file *made_of);
 
-/// Writes a mesh made of a file, in that format, and a report of how it was made
+/// Writes a mesh made of a file, without what its faces have if the format does
+/// not hold that, in that format, and a report of how it was made
 /// to standard output; or, if that has the mesh, to standard error.  Remarks on
 /// it.  False: there is a fault.
 bool tf_mesh_output_write(tf_destination *to, const tf_mesh_content *content,

@@ -5,5 +5,6 @@
 
 #include <stdio.h>
 
-/// Writes Wavefront OBJ: vertices with their colors, faces and edges.
+/// Writes Wavefront OBJ: vertices with their colors, faces with what they have,
+/// and edges.
 void tf_obj_write(FILE *stream, const tf_mesh_content *content);

@@ -38,6 +38,13 @@ static void write_properties(FILE *stream, const char *prefix,
     write_column_names(stream, columns, 3);
 }
 
+/// Behind the corners, whatever they were behind.
+static void write_face_properties(FILE *stream, const tf_face_attributes *faces)
+{
+    for (int k = 0; faces && k <= 3; k++)
+        write_column_names(stream, &faces->row, k);
+}
+
 //: Choose the type of the lengths of faces
 /// What most readers expect, unless a face has more corners.
 static tf_number_type length_type(const tf_mesh_content *content)
@@ -71,10 +78,12 @@ static void write_ply_header(FILE *stream, const tf_mesh_content *content,
     write_properties(stream, "", content->columns);
     if (content->velocity)
         write_properties(stream, "v", NULL);
-    if (mesh->triangles > 0)
+    if (mesh->triangles > 0) {
         fprintf(
             stream, "element face %d\nproperty list %s int vertex_indices\n",
             tf_mesh_content_faces(content), type_names[length_type(content)]);
+        write_face_properties(stream, content->faces);
+    }
     if (mesh->edges > 0)
         fprintf(stream,
                 "element edge %d\nproperty int vertex1\nproperty int vertex2\n",
@@ -127,16 +136,37 @@ static void write_indices(const tf_encoder *to, const int index[], int count)
             tf_encode_blank(to);
         tf_encode_integer(to, index[i], 4);
     }
+}
+
+static void write_edge(const tf_encoder *to, const int vertex[2])
+{
+    write_indices(to, vertex, 2);
     tf_encode_line_end(to);
+}
+
+/// In the order of the header.
+static void write_face_row(const tf_encoder *to,
+                           const tf_face_attributes *faces, int face)
+{
+    for (int k = 0; faces && k <= 3; k++)
+        for (int i = 0; i < faces->row.count; i++) {
+            if (faces->row.column[i].after != k)
+                continue;
+            tf_encode_blank(to);
+            tf_encode(to, faces->row.column[i].type,
+                      tf_columns_row(&faces->row, face)[i]);
+        }
 }
 
 static void write_faces(const tf_encoder *to, const tf_mesh_content *content)
 {
-    int bytes = tf_number_bytes(length_type(content));
+    int bytes = tf_number_bytes(length_type(content)), count = 0;
     for (tf_face face = {0}; tf_mesh_content_next_face(content, &face);) {
         tf_encode_integer(to, face.corners, bytes);
         tf_encode_blank(to);
         write_indices(to, face.corner, face.corners);
+        write_face_row(to, content->faces, count++);
+        tf_encode_line_end(to);
     }
 }
 
@@ -152,5 +182,5 @@ void tf_ply_write(FILE *stream, const tf_mesh_content *content,
         write_vertex(&to, content, v);
     write_faces(&to, content);
     for (int e = 0; e < mesh->edges; e++)
-        write_indices(&to, mesh->edge + 2 * (size_t)e, 2);
+        write_edge(&to, mesh->edge + 2 * (size_t)e);
 }

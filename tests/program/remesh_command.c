@@ -56,15 +56,18 @@ END_TEST
 
 START_TEST(what_new_triangles_lose_is_said)
 {
-    make_file("named.obj", "o square\nvt 0 0\n" SQUARE);
+    make_file("named.obj", "o square\nvt 0 0\ns 1\nvn 0 0 1\n" SQUARE);
     outcome found = run("$tf remesh named.obj -o out.obj -e 9");
     ck_assert_int_eq(found.status, 0);
     ck_assert_str_eq(found.err,
-                     "tanglefree: out.obj: without the object names and "
-                     "texture coordinates of named.obj\n");
+                     "tanglefree: out.obj: without the smoothing groups and "
+                     "normals of named.obj\n");
     expect_words(run("$tf remesh named.obj -o - -e 9").err,
-                 "tanglefree: standard output: without the object names and "
-                 "texture coordinates of named.obj\n");
+                 "tanglefree: standard output: without the smoothing groups "
+                 "and normals of named.obj\n");
+    expect_words(run("$tf remesh named.obj -o out.ply -e 9").err,
+                 "tanglefree: out.ply: without the object names, smoothing "
+                 "groups, texture coordinates and normals of named.obj\n");
 }
 END_TEST
 
@@ -186,6 +189,254 @@ START_TEST(colors_of_obj_are_carried_over)
 }
 END_TEST
 
+// What faces have -------------------------------------------------------------
+
+/// A reading of OBJ by lines of few kinds: triangles with what they belong to.
+typedef struct obj {
+    int vertices, textures, triangles;
+    double x[4096][3], uv[4096][2];
+    int vertex[4096][3], texture[4096][3]; // from 0; -1: none
+    char heading[4096][64];                // the last usemtl or g
+} obj;
+
+static const obj *read_obj(const char *name)
+{
+    static obj read;
+    static char now[64];
+    memset(&read, 0, sizeof read);
+    now[0] = '\0';
+    for (const char *at = file_text(name); *at; at += strcspn(at, "\n") + 1) {
+        int(*v)[3] = read.vertex, (*t)[3] = read.texture, i = read.triangles;
+        if (at[0] == 'v' && at[1] == ' ') {
+            double *x = read.x[read.vertices++];
+            sscanf(at, "v %lf %lf %lf", &x[0], &x[1], &x[2]);
+        } else if (at[0] == 'v') {
+            double *uv = read.uv[read.textures++];
+            ck_assert_int_eq(sscanf(at, "vt %lf %lf", &uv[0], &uv[1]), 2);
+        } else if (at[0] == 'f') {
+            bool has = sscanf(at, "f %d/%d %d/%d %d/%d", &v[i][0], &t[i][0],
+                              &v[i][1], &t[i][1], &v[i][2], &t[i][2]) == 6;
+            if (!has)
+                ck_assert_int_eq(
+                    sscanf(at, "f %d %d %d", &v[i][0], &v[i][1], &v[i][2]), 3);
+            for (int k = 0; k < 3; k++) {
+                v[i][k]--;
+                t[i][k] = has ? t[i][k] - 1 : -1;
+            }
+            strcpy(read.heading[read.triangles++], now);
+        } else if (at[0] == 'u' || at[0] == 'g') {
+            sscanf(at, "%*s %63s", now);
+        }
+    }
+    return &read;
+}
+
+static double area_of(const double *a, const double *b, const double *c)
+{
+    double n[3], sum = 0;
+    for (int k = 0; k < 3; k++) {
+        int i = (k + 1) % 3, j = (k + 2) % 3;
+        n[k] = (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
+        sum += n[k] * n[k];
+    }
+    return sqrt(sum) / 2;
+}
+
+/// The area of all triangles below a heading.
+static double area_below(const obj *of, const char *heading)
+{
+    double sum = 0;
+    for (int i = 0; i < of->triangles; i++)
+        if (strcmp(of->heading[i], heading) == 0)
+            sum += area_of(of->x[of->vertex[i][0]], of->x[of->vertex[i][1]],
+                           of->x[of->vertex[i][2]]);
+    return sum;
+}
+
+/// A cube with a material on each side, and a texture that the sides do not
+/// share: side k has z = 0 or z = 1 for k < 2, and so on, with the texture
+/// coordinates (k + x / 2, y / 3) of the two other axes.
+static void make_cube(void)
+{
+    static const char *const sides[] = {"1 3 4 2", "5 6 8 7", "1 2 6 5",
+                                        "3 7 8 4", "1 5 7 3", "2 4 8 6"};
+    char text[2048] = "mtllib cube.mtl\no cube\ng all\n", word[64];
+    int count = 0;
+    for (int v = 0; v < 8; v++) {
+        snprintf(word, sizeof word, "v %d %d %d\n", v & 1, v >> 1 & 1, v >> 2);
+        strcat(text, word);
+    }
+    for (int k = 0; k < 6; k++) {
+        int v[4], axis = 2 - k / 2, u = axis == 0, w = axis == 2 ? 1 : 2;
+        sscanf(sides[k], "%d %d %d %d", &v[0], &v[1], &v[2], &v[3]);
+        for (int i = 0; i < 4; i++) {
+            snprintf(word, sizeof word, "vt %g %.17g\n",
+                     k + ((v[i] - 1) >> u & 1) / 2.0,
+                     ((v[i] - 1) >> w & 1) / 3.0);
+            strcat(text, word);
+        }
+        snprintf(word, sizeof word, "usemtl m%d\nf %d/%d %d/%d %d/%d %d/%d\n",
+                 k, v[0], count + 1, v[1], count + 2, v[2], count + 3, v[3],
+                 count + 4);
+        strcat(text, word);
+        count += 4;
+    }
+    make_file("cube.obj", text);
+}
+
+START_TEST(materials_and_textures_keep_their_places)
+{
+    static const char *const edges[] = {"0.13", "0.4", "3"};
+    make_cube();
+    outcome found =
+        run("$tf remesh cube.obj -o out.obj --crease 180 -e %s", edges[_i]);
+    ck_assert_int_eq(found.status, 0);
+    ck_assert_ptr_null(strstr(found.err, "out.obj: without"));
+    expect_words(file_text("out.obj"), "mtllib cube.mtl\nv ");
+    expect_words(file_text("out.obj"), "o cube\ng all\nusemtl m0\nf ");
+    const obj *made = read_obj("out.obj");
+    ck_assert_int_ge(made->triangles, 12);
+    for (int k = 0; k < 6; k++) {
+        char name[] = {'m', (char)('0' + k), '\0'};
+        ck_assert_double_eq_tol(area_below(made, name), 1, 1e-12);
+    }
+    for (int i = 0; i < made->triangles; i++)
+        for (int c = 0; c < 3; c++) {
+            int k = made->heading[i][1] - '0', axis = 2 - k / 2;
+            const double *x = made->x[made->vertex[i][c]];
+            ck_assert_double_eq_tol(x[axis], k % 2, 1e-15);
+            ck_assert_int_ge(made->texture[i][c], 0);
+            const double *uv = made->uv[made->texture[i][c]];
+            ck_assert_double_eq_tol(uv[0], k + x[axis == 0] / 2, 1e-12);
+            ck_assert_double_eq_tol(uv[1], x[axis == 2 ? 1 : 2] / 3, 1e-12);
+        }
+    // A vertex has its texture coordinates once on each of its sides.
+    int pairs = 0;
+    for (int v = 0; v < made->vertices; v++)
+        for (int k = 0; k < 3; k++)
+            pairs += fabs(made->x[v][k] - 0.5) > 0.5 - 1e-12;
+    ck_assert_int_eq(made->textures, pairs);
+    expect(run("$tf check --format summary out.obj"), 0,
+           "files: 1\nfiles with intersections: 0\nintersections: 0\n", "");
+}
+END_TEST
+
+/// A flat sheet of 4 x 4 squares, whose groups a and b meet at a zigzag.
+static void make_sheet(void)
+{
+    char text[4096] = "", word[64];
+    for (int v = 0; v < 25; v++) {
+        snprintf(word, sizeof word, "v %d %d 0\n", v % 5, v / 5);
+        strcat(text, word);
+    }
+    for (int i = 0; i < 32; i++) {
+        int x = i / 2 % 4, y = i / 8, v = 1 + x + 5 * y;
+        bool lower = i % 2 == 0, is_b = x > 1 + y % 2 || (x == 1 && lower);
+        snprintf(word, sizeof word, "g %c\nf %d %d %d\n", is_b ? 'b' : 'a', v,
+                 lower ? v + 1 : v + 6, lower ? v + 6 : v + 5);
+        strcat(text, word);
+    }
+    make_file("sheet.obj", text);
+}
+
+START_TEST(groups_keep_their_border)
+{
+    make_sheet();
+    static obj before;
+    before = *read_obj("sheet.obj");
+    ck_assert_int_eq(run("$tf remesh sheet.obj -o out.obj -e 0.7").status, 0);
+    const obj *made = read_obj("out.obj");
+    ck_assert_double_eq_tol(area_below(made, "a"), area_below(&before, "a"),
+                            1e-12);
+    ck_assert_double_eq_tol(area_below(made, "b"), area_below(&before, "b"),
+                            1e-12);
+    ck_assert_double_eq_tol(area_below(made, "a") + area_below(made, "b"), 16,
+                            1e-12);
+    ck_assert_int_eq(occurrences(file_text("out.obj"), "g a\n"), 1);
+    ck_assert_int_eq(occurrences(file_text("out.obj"), "g b\n"), 1);
+    for (int i = 0; i < before.triangles; i++) // where it turns, it stays
+        for (int k = 0; k < 3; k++) {
+            const double *x = before.x[before.vertex[i][k]];
+            if (x[0] < 1 || x[0] > 3 || x[1] == 0 || x[1] == 4)
+                continue;
+            int groups = 0, same = 0;
+            for (int j = 0; j < before.triangles; j++)
+                for (int c = 0; c < 3; c++)
+                    if (before.vertex[j][c] == before.vertex[i][k])
+                        groups |= 1 << (before.heading[j][0] - 'a');
+            for (int v = 0; v < made->vertices; v++)
+                same += memcmp(made->x[v], x, 24) == 0;
+            if (groups == 3)
+                ck_assert_int_eq(same, 1);
+        }
+}
+END_TEST
+
+#define LABELLED                                                               \
+    "element vertex 6\nproperty float x\nproperty float y\n"                   \
+    "property float z\nelement face 3\nproperty short label\n"                 \
+    "property list uchar int vertex_indices\nproperty float heat\n"            \
+    "property uchar red\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n"      \
+    "2 1 0\n-7 4 0 1 2 3 0.5 9\n300 3 1 4 5 0.5 9\n300 3 1 5 2 0.5 9\n"
+
+START_TEST(labels_of_faces_are_carried_over)
+{
+    make_file("labels.ply", "ply\nformat ascii 1.0\n" LABELLED);
+    outcome found = run("$tf remesh labels.ply -o out.ply -e 0.3");
+    ck_assert_int_eq(found.status, 0);
+    expect_words(found.err, "tanglefree: out.ply: without the properties of "
+                            "faces of labels.ply\n");
+    const char *text = file_text("out.ply");
+    expect_words(text, "property list uchar int vertex_indices\n"
+                       "property short label\nproperty uchar red\nend_header");
+    int vertices = 0, faces = 0, read;
+    static double x[4096][3];
+    double sum[2] = {0};
+    sscanf(strstr(text, "element vertex"), "element vertex %d", &vertices);
+    sscanf(strstr(text, "element face"), "element face %d", &faces);
+    const char *row = strstr(text, "end_header\n") + 11;
+    for (int v = 0; v < vertices; v++, row += read)
+        sscanf(row, "%lf %lf %lf\n%n", &x[v][0], &x[v][1], &x[v][2], &read);
+    for (int i = 0; i < faces; i++, row += read) {
+        int v[3], label, red;
+        ck_assert_int_eq(sscanf(row, "3 %d %d %d %d %d\n%n", &v[0], &v[1],
+                                &v[2], &label, &red, &read),
+                         5);
+        ck_assert_int_eq(red, 9);
+        ck_assert(label == -7 || label == 300);
+        double middle = (x[v[0]][0] + x[v[1]][0] + x[v[2]][0]) / 3;
+        ck_assert_int_eq(label, middle < 1 ? -7 : 300);
+        sum[label == 300] += area_of(x[v[0]], x[v[1]], x[v[2]]);
+    }
+    ck_assert_int_gt(faces, 20);
+    ck_assert_double_eq_tol(sum[0], 1, 1e-12);
+    ck_assert_double_eq_tol(sum[1], 1, 1e-12);
+    // What is written is read, in binary, too.
+    expect_words(run("$tf remesh out.ply -o - -e 0.3").out,
+                 "property short label\nproperty uchar red\nend_header");
+}
+END_TEST
+
+START_TEST(texture_coordinates_that_are_missing_are_named)
+{
+    make_file("bad.obj", "vt 0 0\nv 0 0 0\nv 1 0 0\nv 1 1 0\n"
+                         "f 1/1 2/1 3/2\n");
+    expect(run("$tf remesh bad.obj -o out.obj -e 1"), 2, "",
+           "tanglefree: bad.obj:5: there are no texture coordinates 2; the "
+           "last vt of the file is 1\n");
+    make_file("bad.obj", "vt 0 0\nv 0 0 0\nv 1 0 0\nv 1 1 0\n"
+                         "f 1/1 2/-2 3/1\n");
+    expect_words(run("$tf remesh bad.obj -o out.obj -e 1").err,
+                 "bad.obj:5: '2/-2' is before the first texture coordinates");
+    make_file("bad.obj", "vt\n" SQUARE);
+    expect_words(run("$tf remesh bad.obj -o out.obj -e 1").err,
+                 "bad.obj:1: the line ends too early; texture coordinates are "
+                 "vt u v");
+    // Nothing else reads them.
+    ck_assert_int_eq(run("$tf check bad.obj").status, 0);
+}
+END_TEST
+
 START_TEST(a_mesh_that_intersects_is_refused)
 {
     expect(run("$tf remesh crossed -o made -e 1"), 2, "",
@@ -280,6 +531,10 @@ Suite *suite(void)
     tcase_add_test(tcase, floats_of_stl_are_told);
     tcase_add_test(tcase, what_vertices_have_is_carried_over);
     tcase_add_test(tcase, colors_of_obj_are_carried_over);
+    tcase_add_loop_test(tcase, materials_and_textures_keep_their_places, 0, 3);
+    tcase_add_test(tcase, groups_keep_their_border);
+    tcase_add_test(tcase, labels_of_faces_are_carried_over);
+    tcase_add_test(tcase, texture_coordinates_that_are_missing_are_named);
     tcase_add_test(tcase, a_mesh_that_intersects_is_refused);
     tcase_add_test(tcase, what_cannot_be_written_is_named);
     tcase_add_test(tcase, edges_of_the_wrong_scale_are_refused);

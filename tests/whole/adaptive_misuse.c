@@ -381,6 +381,7 @@ START_TEST(null_is_allowed_where_the_header_says_so)
     tf_adaptive_free(NULL);
     tf_flow_free(NULL);
     ck_assert_ptr_null(tf_adaptive_origins(surface));
+    ck_assert_ptr_null(tf_adaptive_corner_origins(surface));
     ck_assert_int_eq(tf_adaptive_compact(surface, NULL), TF_OK);
     ck_assert_int_eq(tf_adaptive_remesh(surface, &remeshing, NULL, NULL),
                      TF_OK);
@@ -405,6 +406,7 @@ static void tell_without(int null)
     tf_adaptive_origins(GIVEN(3, surface));
     tf_adaptive_compact(GIVEN(4, surface), NULL);
     tf_flow_memory(GIVEN(5, flow));
+    tf_adaptive_corner_origins(GIVEN(6, surface));
 }
 
 static void split_without(int null)
@@ -481,7 +483,7 @@ static void flow_without(int null)
 }
 
 static const null_call null_calls[] = {
-    {create_without, 3}, {tell_without, 6},      {split_without, 4},
+    {create_without, 3}, {tell_without, 7},      {split_without, 4},
     {move_without, 3},   {collapse_without, 2},  {collapse_to_without, 3},
     {flip_without, 2},   {merge_without, 4},     {pinch_without, 5},
     {drop_without, 2},   {long_call_without, 4}, {flow_without, 5},

@@ -19,7 +19,7 @@ static void expect_losses(const char *text, tf_mesh_format format,
     make_file("in", text);
     ck_assert_msg(tf_mesh_file_read_all(&file, "in", &columns, &source, &fault),
                   "%s", fault.text);
-    ck_assert_str_eq(tf_find_losses(&file, format).text, words);
+    ck_assert_str_eq(tf_find_losses(&file, format, false).text, words);
     tf_mesh_file_free(&file);
     tf_columns_free(&columns);
     tf_source_free(&source);
@@ -149,7 +149,7 @@ START_TEST(what_stl_has_besides_triangles_is_lost)
         make_binary_file("in", bytes, 134);
         ck_assert_msg(tf_mesh_file_read_all(&file, "in", NULL, &source, &fault),
                       "%s", fault.text);
-        ck_assert_str_eq(tf_find_losses(&file, TF_OBJ).text,
+        ck_assert_str_eq(tf_find_losses(&file, TF_OBJ, false).text,
                          color ? "colors" : "");
         tf_mesh_file_free(&file);
         tf_source_free(&source);

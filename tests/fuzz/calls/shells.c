@@ -439,20 +439,28 @@ typedef struct remesh_options {
     unsigned char later[LATER];
 } remesh_options;
 
-static void judge_origins(const call *made, const shell *of, int triangles)
+static void judge_origin(const call *made, const tf_origin origin[], int count,
+                         int triangles)
 {
-    const tf_origin *origin = tf_adaptive_origins(of->surface);
-    int vertices = tf_adaptive_mesh(of->surface)->vertices;
-    require(made, origin || vertices == 0, "the vertices come from nowhere");
-    for (int v = 0; v < vertices; v++) {
-        const double *weight = origin[v].barycentric;
-        require(made, origin[v].triangle >= 0 && origin[v].triangle < triangles,
+    require(made, origin || count == 0, "the vertices come from nowhere");
+    for (int i = 0; i < count; i++) {
+        const double *weight = origin[i].barycentric;
+        require(made, origin[i].triangle >= 0 && origin[i].triangle < triangles,
                 "a vertex comes from no triangle");
         require(made,
                 weight[0] >= 0 && weight[1] >= 0 && weight[2] >= 0 &&
                     fabs(weight[0] + weight[1] + weight[2] - 1) < 1e-9,
                 "weights don't add up to 1");
     }
+}
+
+static void judge_origins(const call *made, const shell *of, int triangles)
+{
+    const tf_mesh *mesh = tf_adaptive_mesh(of->surface);
+    judge_origin(made, tf_adaptive_origins(of->surface), mesh->vertices,
+                 triangles);
+    judge_origin(made, tf_adaptive_corner_origins(of->surface),
+                 3 * mesh->triangles, triangles);
 }
 
 static void judge_quality(const call *made, double least, double mean)

@@ -87,6 +87,7 @@ static bool edges_stay_short(const tf_adaptive_surface *surface, int vertex,
 }
 
 //: Find out whether a collapse makes good triangles
+/// Not those of a vertex that is left alone, which stays where it is.
 static bool is_good(const tf_remesher *remesher,
                     const tf_edge_collapse *collapse)
 {
@@ -96,9 +97,10 @@ static bool is_good(const tf_remesher *remesher,
     double most = tf_fraction_of(tf_target_between(remesher, from, to),
                                  remesher->policy->longest);
     return edges_stay_short(surface, from, to, position, most) &&
-           edges_stay_short(surface, to, from, position, most) &&
            tf_star_stays_good(surface, from, to, position) &&
-           tf_star_stays_good(surface, to, from, position);
+           (tf_is_frozen(surface, to) ||
+            (edges_stay_short(surface, to, from, position, most) &&
+             tf_star_stays_good(surface, to, from, position)));
 }
 
 //: Collapse an edge to where it is wanted

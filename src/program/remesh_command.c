@@ -40,10 +40,19 @@ static void take_defects(remeshing *r, const tf_defects *defects)
     tf_remeshed_set_defects(&r->done, defects);
 }
 
+/// Unless it is strict, a surface has no edges besides those of triangles.
+static tf_mesh elements_of(const remeshing *r)
+{
+    tf_mesh mesh = tf_mesh_file_elements(tf_frames_file(&r->frames), 3);
+    if (!r->request->strict && mesh.triangles > 0)
+        mesh.edges = 0;
+    return mesh;
+}
+
 static bool load(remeshing *r)
 {
     const tf_mesh_file *file = tf_frames_file(&r->frames);
-    tf_mesh mesh = tf_mesh_file_elements(file, 3);
+    tf_mesh mesh = elements_of(r);
     const double *position = file->position.item;
     const tf_defects *defects = NULL;
     tf_error error;

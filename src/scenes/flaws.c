@@ -139,6 +139,11 @@ static size_t print_kind(const tf_mesh_file *file, size_t count,
 //: Print all defects
 void tf_defects_print(const tf_mesh_file *file, const tf_defects *defects)
 {
+    int edges = tf_mesh_file_edges(file);
+    if (edges > 0)
+        print_remark(file, file->edge_place.item[0],
+                     "%d edge%s of no triangle, from here on, %s left out",
+                     edges, edges == 1 ? "" : "s", edges == 1 ? "is" : "are");
     if (defects->turned > 0)
         print_remark(file, -1, "%d triangle%s turned over, as %s neighbors are",
                      defects->turned, defects->turned == 1 ? " is" : "s are",

@@ -17,6 +17,7 @@ bool tf_status_fault(const tf_mesh_file *file, tf_status status);
 bool tf_pair_fault(const tf_mesh_file *file, const tf_mesh_file *other,
                    const tf_error *error);
 
-/// Prints on standard error how many triangles of a file were turned over, its
-/// defects, of each kind the first twenty, and how much is left alone.
+/// Prints on standard error how many edges of a file that are of no triangle are
+/// left out, how many triangles were turned over, all defects, of each kind the
+/// first twenty, and how much is left alone.
 void tf_defects_print(const tf_mesh_file *file, const tf_defects *defects);

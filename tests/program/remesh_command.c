@@ -248,6 +248,10 @@ static const struct {
      "tanglefree: bad.obj: 2 of 5 vertices and 0 of 5 triangles are left alone "
      "because of that\n",
      "turned: 0\nleft alone: 0\nnonmanifold edges: 1\n"},
+    {"edges of no triangle", CUBE "v 5 5 5\nv 6 5 5\nl 9 10\nl 10 7\n",
+     "tanglefree: bad.obj:23: 2 edges of no triangle, from here on, are left "
+     "out\n",
+     "left alone: 0\n"},
     {"triangles that cross", CUBE NEEDLE,
      "tanglefree: bad.obj: edge 8 9 passes through triangle 0 2 3 (numbered "
      "from 0); move them apart\n",

@@ -30,7 +30,8 @@ typedef struct remeshing {
 } remeshing;
 
 //: Make the surface of a file adaptive
-/// As the triangles are oriented, so that origins are in those of the file.
+/// Orients the triangles of the file as those of the surface, in which origins
+/// are.
 static void take_defects(remeshing *r, const tf_defects *defects)
 {
     tf_mesh_file *file = &r->frames.file[r->frames.current];

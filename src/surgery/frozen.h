@@ -5,9 +5,9 @@
 #include "surgery/adaptive_surface.h"
 
 /// Orients the triangles of a surface alike, finds all of its defects, and
-/// freezes their vertices; lists them in what the surface lends.  Sets an error
-/// to what it returns: TF_OK, TF_OUT_OF_MEMORY, or another status of the check
-/// of surfaces.
+/// freezes their vertices; lists the defects in what the surface lends.  Sets an
+/// error to what it returns: TF_OK, TF_OUT_OF_MEMORY, or another status of the
+/// check of surfaces.
 tf_status tf_leave_defects(tf_adaptive_surface *surface, const tf_mesh *mesh,
                            tf_error *error);
 

@@ -11,6 +11,7 @@
 #include "remesh/passes.h"
 #include "surface/tasks.h"
 #include "surgery/draft.h"
+#include "surgery/frozen.h"
 #include "topology/passes.h"
 
 #include <stddef.h>
@@ -137,6 +138,9 @@ static tf_status read_options(tf_flow_options *own,
     if (status != TF_OK)
         return status;
     TF_REQUIRE(own->velocity);
+    status = tf_check_freedom(flow->surface, error);
+    if (status != TF_OK)
+        return status;
     tf_reconnect_options unread, lengths = {.edge = own->edge};
     tf_choose_scale(flow->surface);
     status = tf_reconnect_options_read(&unread, &lengths, flow->surface->scale,

@@ -59,11 +59,13 @@ TF_API size_t tf_flow_memory(const tf_flow *flow);
 /// @param[out] report what was done, lent until the next step of this flow; set
 ///     only with TF_OK; may be NULL
 /// @param[out] error what is wrong, if anything; may be NULL
-/// @return TF_OK; TF_BAD_OPTION if the length is not above 0 and finite, or so
-///     short that there would be more triangles than numbers for their corners,
-///     or the number of threads is not in its range; TF_OUT_OF_RANGE if a
-///     coordinate is beyond 2^250; TF_NOT_FINITE if a velocity leads out of what
-///     doubles can hold; TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or TF_CANCELLED
+/// @return TF_OK; the status of the first defect, if a part of the surface is
+///     left alone (tf_adaptive_create_around); TF_BAD_OPTION if the length is
+///     not above 0 and finite, or so short that there would be more triangles
+///     than numbers for their corners, or the number of threads is not in its
+///     range; TF_OUT_OF_RANGE if a coordinate is beyond 2^250; TF_NOT_FINITE if
+///     a velocity leads out of what doubles can hold; TF_BAD_ENVIRONMENT;
+///     TF_OUT_OF_MEMORY; or TF_CANCELLED
 TF_API tf_status tf_flow_step(tf_flow *flow, double time, double step,
                               const tf_flow_options *options,
                               const tf_flow_report **report, tf_error *error);

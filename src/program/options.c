@@ -165,6 +165,8 @@ const tf_option tf_options[] = {
     {TF_REMESH, OPTION("keep", 0, "FILE", keep, TF_TEXT),
      .help = "More sharp edges, one a line: the numbers of their two vertices, "
              "from 0; a vertex alone is a corner"},
+    {TF_REMESH, OPTION("strict", 0, NULL, strict, TF_SWITCH),
+     .help = "Refuse a mesh with defects; the default is to leave them alone"},
     {TF_REMESH, OPTION("rounds", 0, "N", rounds, TF_WHOLE), .least = 1,
      .most = 1000,
      .help = "How often to go through all changes; the default is 5, and 10 "

@@ -43,6 +43,7 @@ typedef struct tf_request {
     double crease;              ///< of remesh: degrees
     const char *keep, *lengths; ///< of remesh: files, or NULL
     double error;               ///< of remesh: a distance, 0 if not given
+    bool strict;                ///< of remesh
     int steps, size;            ///< of simulate
     bool resume;
 } tf_request;

@@ -32,15 +32,44 @@ typedef struct remeshing {
 } remeshing;
 
 //: Make the surface of a file adaptive
+/// Orients the triangles of the file as those of the surface, in which origins
+/// are.
+static void take_defects(remeshing *r, const tf_defects *defects)
+{
+    tf_mesh_file *file = &r->frames.file[r->frames.current];
+    memcpy(file->triangle.item, tf_adaptive_mesh(r->surface)->triangle,
+           file->triangle.count * sizeof *file->triangle.item);
+    tf_defects_print(file, defects);
+    tf_remeshed_set_defects(&r->done, defects);
+}
+
+/// Unless it is strict, a surface has no edges besides those of triangles.
+static tf_mesh elements_of(const remeshing *r)
+{
+    tf_mesh mesh = tf_mesh_file_elements(tf_frames_file(&r->frames), 3);
+    if (!r->request->strict && mesh.triangles > 0)
+        mesh.edges = 0;
+    return mesh;
+}
+
 static bool load(remeshing *r)
 {
     const tf_mesh_file *file = tf_frames_file(&r->frames);
-    tf_mesh mesh = tf_mesh_file_elements(file, 3);
+    tf_mesh mesh = elements_of(r);
+    const double *position = file->position.item;
+    const tf_defects *defects = NULL;
     tf_error error;
     r->done.triangles_before = mesh.triangles;
     tf_status status =
-        tf_adaptive_create(&mesh, file->position.item, &r->surface, &error);
-    return status == TF_OK || tf_error_fault(file, &error);
+        r->request->strict
+            ? tf_adaptive_create(&mesh, position, &r->surface, &error)
+            : tf_adaptive_create_around(&mesh, position, &r->surface, &defects,
+                                        &error);
+    if (status != TF_OK)
+        return tf_error_fault(file, &error);
+    if (defects)
+        take_defects(r, defects);
+    return true;
 }
 
 //: Read which edges are kept

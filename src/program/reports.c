@@ -39,6 +39,25 @@ const tf_field tf_resolved_fields[] = {
     {0},
 };
 
+//: Tell what was wrong with a surface
+static int count_of(const tf_defects *defects, tf_status status)
+{
+    int count = 0;
+    for (size_t i = 0; i < defects->count; i++)
+        count += defects->defect[i].status == status;
+    return count;
+}
+
+void tf_remeshed_set_defects(tf_remeshed *remeshed, const tf_defects *defects)
+{
+    remeshed->turned = defects->turned;
+    remeshed->left_alone = defects->triangles;
+    remeshed->edges = count_of(defects, TF_EDGE_NOT_MANIFOLD);
+    remeshed->vertices = count_of(defects, TF_VERTEX_NOT_MANIFOLD);
+    remeshed->collinear = count_of(defects, TF_COLLINEAR);
+    remeshed->crossings = count_of(defects, TF_NOT_EMBEDDED);
+}
+
 //: List the fields about remeshing
 #define TRIED(name, operation, outcome)                                        \
     TF_FIELD(name, tf_remeshed, report.tried[operation][outcome])
@@ -64,6 +83,12 @@ const tf_field tf_remeshed_fields[] = {
     TF_FIELD("distance at most", tf_remeshed, report.most_distance),
     TF_FIELD("rounds", tf_remeshed, report.rounds),
     TF_FIELD("seconds", tf_remeshed, seconds),
+    TF_FIELD("turned", tf_remeshed, turned),
+    TF_FIELD("left alone", tf_remeshed, left_alone),
+    TF_FIELD("nonmanifold edges", tf_remeshed, edges),
+    TF_FIELD("nonmanifold vertices", tf_remeshed, vertices),
+    TF_FIELD("collinear triangles", tf_remeshed, collinear),
+    TF_FIELD("intersections", tf_remeshed, crossings),
     OUTCOMES("splits", TF_SPLIT),
     OUTCOMES("collapses", TF_COLLAPSE),
     OUTCOMES("flips", TF_FLIP),

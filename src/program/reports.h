@@ -6,6 +6,7 @@
 #include "response/options.h"
 #include "scenes/untangled_frame.h"
 #include "scenes/weld.h"
+#include "surgery/defects.h"
 
 /// What it took to resolve a step.
 typedef struct tf_resolved {
@@ -22,7 +23,12 @@ typedef struct tf_remeshed {
     int triangles_before, triangles_after;
     double edge; ///< the length that was wanted
     double seconds;
+    int turned, left_alone;                    ///< triangles
+    int edges, vertices, collinear, crossings; ///< defects
 } tf_remeshed;
+
+/// Sets what was wrong with the surface.
+void tf_remeshed_set_defects(tf_remeshed *remeshed, const tf_defects *defects);
 
 /// What it took to untangle a surface.
 typedef struct tf_untangled {

@@ -47,6 +47,30 @@ static tf_status try_split(tf_remesher *remesher, const tf_edge_row *edge,
                            : status;
 }
 
+//: Wait for a longer edge
+/// How much longer the edges of a triangle may be than one that is split.
+static const double most_ratio = 1.5;
+
+/// Whether a triangle on an edge has one that is so much longer.  Usually that
+/// one is split first.  If it is left alone, though, splits beside it would make
+/// ever flatter triangles, and never end.
+static bool has_longer_beside(const tf_adaptive_surface *surface,
+                              const tf_edge_row *edge)
+{
+    const int end[] = {edge->a, edge->b};
+    double most = most_ratio * tf_length_of(surface, edge->a, edge->b);
+    for (int i = 0; i < 2; i++) {
+        int corner = tf_find_edge(surface, end[i], end[1 - i]);
+        if (corner == TF_NONE)
+            continue;
+        int apex = tf_vertex_at(surface, tf_corner_before(corner));
+        if (tf_length_of(surface, end[0], apex) > most ||
+            tf_length_of(surface, end[1], apex) > most)
+            return true;
+    }
+    return false;
+}
+
 //: Split a long edge
 /// At the first position that is not refused.
 static tf_status split_edge(tf_remesher *remesher, const tf_edge_row *edge)
@@ -58,6 +82,9 @@ static tf_status split_edge(tf_remesher *remesher, const tf_edge_row *edge)
     tf_volume_error error = {0};
     tf_outcome outcome = TF_NO_OUTCOME;
     tf_status status = TF_OK;
+    if (remesher->surface->marked > 0 &&
+        has_longer_beside(remesher->surface, edge))
+        return TF_OK;
     for (int refused = 0;
          status == TF_OK && outcome != TF_COMMITTED &&
          policy->choose_split(remesher, corner, refused, &position, &error);
@@ -87,6 +114,7 @@ static bool edges_stay_short(const tf_adaptive_surface *surface, int vertex,
 }
 
 //: Find out whether a collapse makes good triangles
+/// Not those of a vertex that is left alone, which stays where it is.
 static bool is_good(const tf_remesher *remesher,
                     const tf_edge_collapse *collapse)
 {
@@ -96,9 +124,10 @@ static bool is_good(const tf_remesher *remesher,
     double most = tf_fraction_of(tf_target_between(remesher, from, to),
                                  remesher->policy->longest);
     return edges_stay_short(surface, from, to, position, most) &&
-           edges_stay_short(surface, to, from, position, most) &&
            tf_star_stays_good(surface, from, to, position) &&
-           tf_star_stays_good(surface, to, from, position);
+           (tf_is_frozen(surface, to) ||
+            (edges_stay_short(surface, to, from, position, most) &&
+             tf_star_stays_good(surface, to, from, position)));
 }
 
 //: Collapse an edge to where it is wanted

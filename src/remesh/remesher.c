@@ -78,12 +78,13 @@ static bool is_shorter(const void *first, const void *second)
 }
 
 //: List each edge once
-/// Each edge is listed at one of its two corners.
-static bool is_first(const tf_adaptive_surface *surface, int corner)
+/// Each edge is listed at one of its two corners, unless it is left alone.
+static bool is_listed(const tf_adaptive_surface *surface, int corner)
 {
-    return tf_vertex_at(surface, corner) <
-               tf_vertex_at(surface, tf_corner_after(corner)) ||
-           tf_is_boundary_edge(surface, corner);
+    int from = tf_vertex_at(surface, corner);
+    int to = tf_vertex_at(surface, tf_corner_after(corner));
+    return !tf_is_frozen_edge(surface, from, to) &&
+           (from < to || tf_is_boundary_edge(surface, corner));
 }
 
 //: List an edge of a length
@@ -112,7 +113,7 @@ static tf_status list_edges(tf_remesher *remesher, double low, double high)
     for (int c = 0; c < 3 * surface->triangles; c++) {
         if (c % 1024 == 0 && !tf_watch_done(watch, 0))
             return TF_CANCELLED;
-        if (tf_is_triangle(surface, c / 3) && is_first(surface, c))
+        if (tf_is_triangle(surface, c / 3) && is_listed(surface, c))
             list_edge(remesher, c, low, high);
     }
     bool sorted = tf_list_sort(&remesher->row, (size_t)remesher->rows,

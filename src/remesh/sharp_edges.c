@@ -318,7 +318,8 @@ static tf_status hold_corners(tf_sharp_edges *all,
     for (int v = 0; v < surface->vertices; v++) {
         if (v % WATCHED == 0 && !tf_watch_done(watch, 0))
             return TF_CANCELLED;
-        *held_at(all, v) = is_corner(all, surface, v);
+        *held_at(all, v) =
+            is_corner(all, surface, v) || tf_is_frozen(surface, v);
     }
     for (int i = 0; i < sharpness->keeps; i++) {
         const int *v = sharpness->keep + 2 * (ptrdiff_t)i;

@@ -4,6 +4,7 @@
 #include "base/fail.h"
 #include "base/sentence.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 
 //: Find the place of a flaw in a file
@@ -34,14 +35,26 @@ static const char *advice(const tf_error *error)
 }
 
 //: Describe a flaw by its place in the file
+typedef struct flaw_words {
+    long place;
+    char text[512];
+} flaw_words;
+
 /// The numbers of a pair are those of the rows that `check` prints.
+static flaw_words words_of(const tf_mesh_file *file, const tf_error *error)
+{
+    flaw_words words = {.place = place_of(file, error)};
+    int first = words.place < 0 ? 0 : file->first_index;
+    tf_sentence_write(error, first, words.place >= 0, words.text,
+                      sizeof words.text);
+    return words;
+}
+
 bool tf_error_fault(const tf_mesh_file *file, const tf_error *error)
 {
-    char sentence[512];
-    long place = place_of(file, error);
-    int first = place < 0 ? 0 : file->first_index;
-    tf_sentence_write(error, first, place >= 0, sentence, sizeof sentence);
-    return tf_mesh_file_fault(file, place, "%s%s", sentence, advice(error));
+    flaw_words words = words_of(file, error);
+    return tf_mesh_file_fault(file, words.place, "%s%s", words.text,
+                              advice(error));
 }
 
 bool tf_status_fault(const tf_mesh_file *file, tf_status status)
@@ -87,4 +100,60 @@ bool tf_pair_fault(const tf_mesh_file *file, const tf_mesh_file *other,
         element_of(first, error->vertex).text, forms[error->subject].verb,
         element_of(forms[error->subject].second, error->vertex + first).text,
         tf_make_visible(other->name).text, advice(error));
+}
+
+//: Print a defect
+__attribute__((format(printf, 3, 4))) static void
+print_remark(const tf_mesh_file *file, long place, const char *format, ...)
+{
+    tf_fault remark;
+    va_list arguments;
+    va_start(arguments, format);
+    tf_fault_set_list(&remark, file->name, place, format, arguments);
+    va_end(arguments);
+    remark.counts_bytes = file->counts_bytes;
+    tf_fault_print(&remark, "tanglefree");
+}
+
+//: Print defects of a kind
+enum {
+    MOST_LINES = 20 ///< about defects of one kind
+};
+
+/// Those of one status from the first on; returns how many they are.
+static size_t print_kind(const tf_mesh_file *file, size_t count,
+                         const tf_error defect[])
+{
+    size_t same = 0;
+    for (; same < count && defect[same].status == defect->status; same++) {
+        if (same >= MOST_LINES)
+            continue;
+        flaw_words words = words_of(file, &defect[same]);
+        print_remark(file, words.place, "%s", words.text);
+    }
+    if (same > MOST_LINES)
+        print_remark(file, -1, "%zu more like these", same - MOST_LINES);
+    return same;
+}
+
+//: Print all defects
+void tf_defects_print(const tf_mesh_file *file, const tf_defects *defects)
+{
+    int edges = tf_mesh_file_edges(file);
+    if (edges > 0)
+        print_remark(file, file->edge_place.item[0],
+                     "%d edge%s of no triangle, from here on, %s left out",
+                     edges, edges == 1 ? "" : "s", edges == 1 ? "is" : "are");
+    if (defects->turned > 0)
+        print_remark(file, -1, "%d triangle%s turned over, as %s neighbors are",
+                     defects->turned, defects->turned == 1 ? " is" : "s are",
+                     defects->turned == 1 ? "its" : "their");
+    for (size_t i = 0; i < defects->count;)
+        i += print_kind(file, defects->count - i, defects->defect + i);
+    if (defects->count > 0)
+        print_remark(file, -1,
+                     "%d of %d vertices and %d of %d triangles are left alone "
+                     "because of that",
+                     defects->vertices, tf_mesh_file_vertices(file),
+                     defects->triangles, tf_mesh_file_triangles(file));
 }

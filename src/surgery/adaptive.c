@@ -7,6 +7,7 @@
 #include "base/require.h"
 #include "surgery/conditions.h"
 #include "surgery/draft.h"
+#include "surgery/frozen.h"
 #include "surgery/star.h"
 
 #include <string.h>
@@ -29,20 +30,22 @@ static tf_status fill_surface(const tf_mesh *mesh, const double position[],
     return tf_stars_build(surface, surface->box.data) ? TF_OK : TF_CANCELLED;
 }
 
-//: Check an adaptive surface
+//: Make an adaptive surface
+/// Fills a surface that is empty, and then checks it.
 static tf_status make_surface(const tf_mesh *mesh, const double position[],
-                              tf_adaptive_surface *surface, tf_error *error)
+                              bool strict, tf_adaptive_surface *surface,
+                              tf_error *error)
 {
     tf_status status = tf_fail(error, fill_surface(mesh, position, surface));
-    if (status == TF_OK)
-        status = tf_check_manifold(surface, error);
-    return status == TF_OK ? tf_check_embedding(surface, mesh, position, error)
-                           : status;
+    if (status != TF_OK)
+        return status;
+    return strict ? tf_check_surface(surface, mesh, error)
+                  : tf_leave_defects(surface, mesh, error);
 }
 
-//: Create an adaptive surface
-tf_status tf_adaptive_create(const tf_mesh *mesh, const double position[],
-                             tf_adaptive_surface **surface, tf_error *error)
+static tf_status create_surface(const tf_mesh *mesh, const double position[],
+                                bool strict, tf_adaptive_surface **surface,
+                                tf_error *error)
 {
     TF_REQUIRE(mesh && position && surface);
     if (!tf_environment_is_ieee())
@@ -54,11 +57,29 @@ tf_status tf_adaptive_create(const tf_mesh *mesh, const double position[],
     if (!made)
         return tf_fail(error, TF_OUT_OF_MEMORY);
     made->scale = 1;
-    status = make_surface(mesh, position, made, error);
+    status = make_surface(mesh, position, strict, made, error);
     if (status == TF_OK)
         *surface = made;
     else
         tf_adaptive_free(made);
+    return status;
+}
+
+//: Create an adaptive surface
+tf_status tf_adaptive_create(const tf_mesh *mesh, const double position[],
+                             tf_adaptive_surface **surface, tf_error *error)
+{
+    return create_surface(mesh, position, true, surface, error);
+}
+
+tf_status tf_adaptive_create_around(const tf_mesh *mesh,
+                                    const double position[],
+                                    tf_adaptive_surface **surface,
+                                    const tf_defects **defects, tf_error *error)
+{
+    tf_status status = create_surface(mesh, position, false, surface, error);
+    if (status == TF_OK && defects)
+        *defects = (*surface)->lent.defects.data;
     return status;
 }
 
@@ -79,12 +100,14 @@ size_t tf_adaptive_memory(const tf_adaptive_surface *surface)
     const tf_dynamic_tree *boxes = &surface->tree;
     const tf_adaptive_lent *lent = &surface->lent;
     return sizeof *surface + surface->position.bytes + surface->vertex.bytes +
-           surface->first.bytes + surface->next.bytes + surface->found.bytes +
-           surface->box.bytes + boxes->branch.bytes + boxes->parent.bytes +
-           boxes->stack.bytes + surgery->removed.bytes + surgery->added.bytes +
-           surgery->swept.bytes + surgery->boundary.bytes + lent->mesh.bytes +
+           surface->first.bytes + surface->next.bytes + surface->frozen.bytes +
+           surface->found.bytes + surface->box.bytes + boxes->branch.bytes +
+           boxes->parent.bytes + boxes->stack.bytes + surgery->removed.bytes +
+           surgery->added.bytes + surgery->swept.bytes +
+           surgery->boundary.bytes + lent->mesh.bytes +
            lent->remesh_report.bytes + lent->reconnect_report.bytes +
-           lent->origin.bytes + lent->corner_origin.bytes;
+           lent->origin.bytes + lent->corner_origin.bytes +
+           lent->defects.bytes + lent->defect.bytes;
 }
 
 //: Lend an adaptive surface
@@ -103,6 +126,17 @@ const double *tf_adaptive_positions(const tf_adaptive_surface *surface)
 }
 
 //: Close the gaps
+/// Moves the marks of the vertices that have triangles to the front.
+static void move_marks(tf_adaptive_surface *surface)
+{
+    bool *frozen = surface->frozen.data;
+    int kept = 0;
+    for (int v = 0; v < surface->marked; v++)
+        if (tf_first_corner(surface, v) != TF_NONE)
+            frozen[kept++] = frozen[v];
+    surface->marked = kept;
+}
+
 /// Moves the vertices that have triangles to the front; their new numbers, or
 /// TF_NONE, replace their first corners.
 static void move_vertices(tf_adaptive_surface *surface)
@@ -141,6 +175,7 @@ tf_status tf_adaptive_compact(tf_adaptive_surface *surface, int map[])
                           sizeof(tf_aabb)))
         return TF_OUT_OF_MEMORY;
     int before = surface->vertices;
+    move_marks(surface);
     move_vertices(surface);
     move_triangles(surface);
     if (!tf_watch_done(surface->watch, 0))

@@ -4,6 +4,7 @@
 #include "base/api.h"
 #include "base/error.h"
 #include "surface/mesh.h"
+#include "surgery/defects.h"
 
 #include <stddef.h>
 
@@ -13,7 +14,8 @@
 /// @{
 
 /// An embedded surface that operations change: each vertex has triangles all
-/// around it, or is on the boundary.  Only one thread at a time may use it.
+/// around it, or is on the boundary.  Parts that are not so may be left alone
+/// (tf_adaptive_create_around).  Only one thread at a time may use it.
 typedef struct tf_adaptive_surface tf_adaptive_surface;
 
 //: Declare how adaptive surfaces are made
@@ -42,6 +44,37 @@ TF_API tf_status tf_adaptive_create(const tf_mesh *mesh,
 /// Frees a surface, and all that it lent.
 /// @param surface the surface; may be NULL
 TF_API void tf_adaptive_free(tf_adaptive_surface *surface);
+
+//: Declare surfaces with defects
+/// Makes an adaptive surface of a mesh that need not be perfect.  First,
+/// triangles are turned over, the fewest that it takes, so that two on an edge
+/// pass it in opposite directions, if the surface has two sides.  Then the
+/// vertices of all defects are left alone: the ends of an edge that two
+/// triangles pass in one direction, or more than two; a vertex whose triangles
+/// form more than one ring or fan; and all corners of a collinear triangle, and
+/// of the triangles of two elements that intersect or touch.
+///
+/// No operation moves or removes such a vertex, nor touches an edge between two
+/// of them: it is TF_IMPOSSIBLE.  So triangles that intersect stay as they are,
+/// and no others ever do.  All promises about adaptive surfaces hold for the
+/// rest; for example, no motion makes two triangles meet that did not before.
+/// tf_flow_step refuses such a surface.
+///
+/// @param mesh its triangles; there must be no other edges
+/// @param position three coordinates a vertex
+/// @param[out] surface the surface, to be freed by tf_adaptive_free; set only
+///     with TF_OK
+/// @param[out] defects what is wrong, lent until the surface is freed, with the
+///     numbers of the mesh; set only with TF_OK; may be NULL
+/// @param[out] error what makes it impossible, if anything; may be NULL
+/// @return TF_OK; TF_BAD_AXES; TF_BAD_COUNT; TF_NO_ELEMENTS; TF_BAD_INDEX;
+///     TF_NOT_FINITE; TF_EDGE_NOT_MANIFOLD about an edge of no triangle;
+///     TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY
+TF_API tf_status tf_adaptive_create_around(const tf_mesh *mesh,
+                                           const double position[],
+                                           tf_adaptive_surface **surface,
+                                           const tf_defects **defects,
+                                           tf_error *error);
 
 //: Declare what an adaptive surface lends
 /// The triangles of a surface as it is now.  The numbers of vertices and

@@ -51,6 +51,8 @@ typedef struct tf_adaptive_lent {
     tf_buffer reconnect_report; ///< of the last time
     tf_buffer origin;           ///< tf_origin of each vertex
     tf_buffer corner_origin;    ///< tf_origin of each corner
+    tf_buffer defects;          ///< tf_defects: of the mesh it was made of
+    tf_buffer defect;           ///< tf_error each: the list of these
     bool has_origins; ///< whether these are those of the surface as it is
 } tf_adaptive_lent;
 
@@ -63,12 +65,14 @@ typedef struct tf_adaptive_surface {
     tf_buffer vertex;        ///< of each corner; TF_NONE: there is no triangle
     tf_buffer first;         ///< of each vertex: a corner there, or TF_NONE
     tf_buffer next;          ///< of each corner: another one at its vertex
-    tf_dynamic_tree tree;    ///< of the boxes of the triangles
-    tf_buffer found;         ///< memory for a search
-    tf_buffer box;           ///< memory for the boxes of all triangles
-    tf_surgery surgery;      ///< that is being tried
-    tf_watch *watch;         ///< over the call whose draft this is, or NULL
-    double scale;            ///< of what is measured, a power of two
+    int marked;           ///< how many vertices, the first ones, may be frozen
+    tf_buffer frozen;     ///< bool of each of these: it is left alone
+    tf_dynamic_tree tree; ///< of the boxes of the triangles
+    tf_buffer found;      ///< memory for a search
+    tf_buffer box;        ///< memory for the boxes of all triangles
+    tf_surgery surgery;   ///< that is being tried
+    tf_watch *watch;      ///< over the call whose draft this is, or NULL
+    double scale;         ///< of what is measured, a power of two
     tf_adaptive_lent lent;
 } tf_adaptive_surface;
 
@@ -120,6 +124,21 @@ static inline int tf_first_corner(const tf_adaptive_surface *surface,
 static inline int tf_next_corner(const tf_adaptive_surface *surface, int corner)
 {
     return ((const int *)surface->next.data)[corner];
+}
+
+//: Recognize what is frozen
+/// Whether a vertex is left alone: no operation moves or removes it.
+static inline bool tf_is_frozen(const tf_adaptive_surface *surface, int vertex)
+{
+    return vertex < surface->marked &&
+           ((const bool *)surface->frozen.data)[vertex];
+}
+
+/// Whether an edge is left alone: no operation splits, collapses or flips it.
+static inline bool tf_is_frozen_edge(const tf_adaptive_surface *surface, int a,
+                                     int b)
+{
+    return tf_is_frozen(surface, a) && tf_is_frozen(surface, b);
 }
 
 //: View triangles as facets

@@ -11,12 +11,16 @@
 #include <string.h>
 
 /// Whether the vertex opposite to the edge of a corner keeps enough triangles:
-/// a ring of three, or a fan of one.
+/// a ring of three, or a fan of one.  A frozen vertex may have several fans.
 static bool apex_survives(const tf_adaptive_surface *surface, int corner)
 {
-    int apex = tf_vertex_at(surface, tf_corner_before(corner));
-    return tf_star_size(surface, apex) >=
-           (tf_is_boundary_vertex(surface, apex) ? 2 : 4);
+    int before = tf_corner_before(corner);
+    int apex = tf_vertex_at(surface, before);
+    if (tf_is_boundary_edge(surface, tf_corner_after(corner)) &&
+        tf_is_boundary_edge(surface, before))
+        return false;
+    return tf_is_boundary_vertex(surface, apex) ||
+           tf_star_size(surface, apex) >= 4;
 }
 
 //: Find out what would be left
@@ -74,7 +78,7 @@ static tf_outcome collapse(tf_adaptive_surface *surface, int from, int to)
 {
     int corner[] = {tf_find_edge(surface, from, to),
                     tf_find_edge(surface, to, from)};
-    if (!may_collapse(surface, from, to, corner))
+    if (tf_is_frozen(surface, from) || !may_collapse(surface, from, to, corner))
         return TF_IMPOSSIBLE;
     int c = tf_first_corner(surface, from);
     for (; c != TF_NONE; c = tf_next_corner(surface, c))
@@ -109,6 +113,8 @@ tf_status tf_adaptive_collapse_to(tf_adaptive_surface *surface, int from,
         return status;
     double before[3];
     memcpy(before, tf_vertex_coordinates(surface, to), sizeof before);
+    if (memcmp(before, position, sizeof before) == 0)
+        return tf_adaptive_collapse(surface, from, to, outcome);
     status = tf_adaptive_move(surface, to, position, outcome);
     if (status != TF_OK || *outcome != TF_COMMITTED)
         return status;

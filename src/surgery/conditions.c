@@ -41,7 +41,7 @@ tf_status tf_check_mesh(const tf_mesh *mesh, const double position[],
     return status == TF_OK ? check_places(mesh, position, error) : status;
 }
 
-//: Check the edges of a surface
+//: Find bad edges
 /// Whether another triangle has the edge of a corner in the same direction.
 static bool is_repeated(const tf_adaptive_surface *surface, int corner)
 {
@@ -54,15 +54,36 @@ static bool is_repeated(const tf_adaptive_surface *surface, int corner)
     return false;
 }
 
-static tf_status check_edges(const tf_adaptive_surface *surface,
-                             tf_error *error)
+/// Whether the edge of a corner, which is repeated, is so at a lower corner.
+static bool is_told(const tf_adaptive_surface *surface, int corner)
 {
-    for (int c = 0; c < 3 * surface->triangles; c++)
-        if (is_repeated(surface, c))
-            return fail_edge(error, TF_TRIANGLE, c / 3,
-                             tf_vertex_at(surface, c),
-                             tf_vertex_at(surface, tf_corner_after(c)));
-    return tf_fail(error, TF_OK);
+    int from = tf_vertex_at(surface, corner);
+    int to = tf_vertex_at(surface, tf_corner_after(corner)), c;
+    for (c = tf_first_corner(surface, from); c != TF_NONE;
+         c = tf_next_corner(surface, c))
+        if (c < corner && tf_vertex_at(surface, tf_corner_after(c)) == to)
+            return true;
+    for (c = tf_first_corner(surface, to); c != TF_NONE;
+         c = tf_next_corner(surface, c))
+        if (c < corner && tf_vertex_at(surface, tf_corner_after(c)) == from &&
+            is_repeated(surface, c))
+            return true;
+    return false;
+}
+
+static tf_status find_bad_edges(const tf_adaptive_surface *surface,
+                                tf_defect_sink *sink)
+{
+    tf_error defect;
+    tf_status status = TF_OK;
+    for (int c = 0; c < 3 * surface->triangles && status == TF_OK; c++) {
+        if (!is_repeated(surface, c) || is_told(surface, c))
+            continue;
+        fail_edge(&defect, TF_TRIANGLE, c / 3, tf_vertex_at(surface, c),
+                  tf_vertex_at(surface, tf_corner_after(c)));
+        status = sink->take(sink, &defect);
+    }
+    return status;
 }
 
 //: Go around a vertex
@@ -87,73 +108,108 @@ static int fan_size(const tf_adaptive_surface *surface, int vertex)
     return count;
 }
 
-//: Check the vertices of a surface
-static tf_status check_vertices(const tf_adaptive_surface *surface,
-                                tf_error *error)
+//: Find bad vertices
+/// Besides those that are frozen: of an edge that is repeated no end can be gone
+/// around.
+static tf_status find_bad_vertices(const tf_adaptive_surface *surface,
+                                   tf_defect_sink *sink)
 {
-    for (int v = 0; v < surface->vertices; v++)
-        if (tf_first_corner(surface, v) != TF_NONE &&
-            fan_size(surface, v) != tf_star_size(surface, v))
-            return tf_fail_vertex(error, TF_VERTEX_NOT_MANIFOLD, v, -1);
-    return tf_fail(error, TF_OK);
+    tf_error defect;
+    tf_status status = TF_OK;
+    for (int v = 0; v < surface->vertices && status == TF_OK; v++) {
+        if (tf_first_corner(surface, v) == TF_NONE ||
+            tf_is_frozen(surface, v) ||
+            fan_size(surface, v) == tf_star_size(surface, v))
+            continue;
+        tf_fail_vertex(&defect, TF_VERTEX_NOT_MANIFOLD, v, -1);
+        status = sink->take(sink, &defect);
+    }
+    return status;
 }
 
-tf_status tf_check_manifold(const tf_adaptive_surface *surface, tf_error *error)
+//: Find collinear triangles
+static tf_status find_collinear(const tf_adaptive_surface *surface,
+                                tf_defect_sink *sink)
 {
-    tf_status status = check_edges(surface, error);
-    return status == TF_OK ? check_vertices(surface, error) : status;
-}
-
-//: Check the triangles of a surface
-static tf_status check_triangles(const tf_adaptive_surface *surface,
-                                 tf_error *error)
-{
-    for (int t = 0; t < surface->triangles; t++) {
+    tf_error defect;
+    tf_status status = TF_OK;
+    for (int t = 0; t < surface->triangles && status == TF_OK; t++) {
         const double *const *x =
             tf_facet_of(surface, tf_triangle(surface, t)).corner;
-        if (tf_are_collinear(x[0], x[1], x[2]))
-            return tf_fail_element(error, TF_COLLINEAR, TF_TRIANGLE, (size_t)t,
-                                   -1);
+        if (!tf_are_collinear(x[0], x[1], x[2]))
+            continue;
+        tf_fail_element(&defect, TF_COLLINEAR, TF_TRIANGLE, (size_t)t, -1);
+        status = sink->take(sink, &defect);
     }
-    return tf_fail(error, TF_OK);
+    return status;
 }
 
-//: Check for intersections
+//: Find intersections
 /// Vertices without triangles may be anywhere.
-static tf_status first_crossing(const tf_adaptive_surface *surface,
-                                const tf_crossings *found, tf_error *error)
+static tf_status take_crossings(const tf_adaptive_surface *surface,
+                                const tf_crossings *found, tf_defect_sink *sink)
 {
-    for (size_t i = 0; i < found->count; i++) {
+    tf_error defect;
+    tf_status status = TF_OK;
+    for (size_t i = 0; i < found->count && status == TF_OK; i++) {
         const tf_crossing *row = &found->crossing[i];
         if (row->kind == TF_POINT_ON_TRIANGLE &&
             tf_first_corner(surface, row->vertex[0]) == TF_NONE)
             continue;
-        return tf_fail_crossing(error, TF_NOT_EMBEDDED, row, -1);
+        tf_fail_crossing(&defect, TF_NOT_EMBEDDED, row, -1);
+        status = sink->take(sink, &defect);
     }
-    return tf_fail(error, TF_OK);
+    return status;
 }
 
-static tf_status check_crossings(const tf_adaptive_surface *surface,
-                                 tf_surface *detection, const double position[],
-                                 tf_error *error)
+static tf_status find_crossings(const tf_adaptive_surface *surface,
+                                const tf_mesh *mesh, tf_defect_sink *sink,
+                                tf_error *error)
 {
-    tf_crossings found;
-    tf_status status = tf_surface_check(detection, surface->vertices, position,
-                                        NULL, &found, error);
-    return status == TF_OK ? first_crossing(surface, &found, error) : status;
-}
-
-//: Check the embedding
-tf_status tf_check_embedding(const tf_adaptive_surface *surface,
-                             const tf_mesh *mesh, const double position[],
-                             tf_error *error)
-{
-    tf_status status = check_triangles(surface, error);
     tf_surface *detection = NULL;
+    tf_crossings found;
+    tf_status status = tf_surface_create(mesh, &detection, error);
     if (status == TF_OK)
-        status = tf_surface_create(mesh, &detection, error);
+        status = tf_surface_check(detection, surface->vertices,
+                                  surface->position.data, NULL, &found, error);
     if (status == TF_OK)
-        status = check_crossings(surface, detection, position, error);
+        status = take_crossings(surface, &found, sink);
     tf_surface_free(detection);
     return status;
+}
+
+//: Find all defects of a surface
+tf_status tf_find_defects(const tf_adaptive_surface *surface,
+                          const tf_mesh *mesh, tf_defect_sink *sink,
+                          tf_error *error)
+{
+    tf_fail(error, TF_OK);
+    tf_status status = find_bad_edges(surface, sink);
+    if (status == TF_OK)
+        status = find_bad_vertices(surface, sink);
+    if (status == TF_OK)
+        status = find_collinear(surface, sink);
+    return status == TF_OK ? find_crossings(surface, mesh, sink, error)
+                           : status;
+}
+
+//: Refuse the first defect
+typedef struct refusal {
+    tf_defect_sink sink;
+    tf_error *error; ///< that is to be set, or NULL
+} refusal;
+
+static tf_status refuse(tf_defect_sink *sink, const tf_error *defect)
+{
+    tf_error *error = ((refusal *)sink)->error;
+    if (error)
+        *error = *defect;
+    return defect->status;
+}
+
+tf_status tf_check_surface(const tf_adaptive_surface *surface,
+                           const tf_mesh *mesh, tf_error *error)
+{
+    refusal all = {{refuse}, error};
+    return tf_find_defects(surface, mesh, &all.sink, error);
 }

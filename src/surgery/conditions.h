@@ -5,20 +5,30 @@
 #include "surgery/adaptive_surface.h"
 
 /// Whether a mesh has triangles and nothing else, with good indices, and all
-/// its vertices have finite positions.  Each check sets an error to what it
-/// returns: here TF_OK or what is wrong with the mesh.
+/// its vertices have finite positions.  Sets an error to what it returns: TF_OK
+/// or what is wrong with the mesh.
 tf_status tf_check_mesh(const tf_mesh *mesh, const double position[],
                         tf_error *error);
 
-/// Whether each edge of a surface has two triangles, in opposite directions, or
-/// one, and the triangles of each vertex form one ring or one fan.  Returns
-/// TF_OK, TF_EDGE_NOT_MANIFOLD or TF_VERTEX_NOT_MANIFOLD, about the first one.
-tf_status tf_check_manifold(const tf_adaptive_surface *surface,
-                            tf_error *error);
+/// What is told of each defect of a surface.  Returns TF_OK if it wants to be
+/// told of the next one, or what ends the search.
+typedef struct tf_defect_sink tf_defect_sink;
+struct tf_defect_sink {
+    tf_status (*take)(tf_defect_sink *sink, const tf_error *defect);
+};
 
-/// Whether a mesh at rest has no collinear triangle and does not intersect or
-/// touch itself.  Returns TF_OK, TF_COLLINEAR, TF_NOT_EMBEDDED, or any other
-/// status of the check of surfaces, about the first one.
-tf_status tf_check_embedding(const tf_adaptive_surface *surface,
-                             const tf_mesh *mesh, const double position[],
-                             tf_error *error);
+/// Finds the edges that a triangle passes as another one does, each once
+/// (TF_EDGE_NOT_MANIFOLD); then the vertices whose triangles form more than one
+/// ring or fan, but for those that are frozen (TF_VERTEX_NOT_MANIFOLD); the
+/// collinear triangles (TF_COLLINEAR); and the pairs that intersect or touch
+/// (TF_NOT_EMBEDDED).  Returns TF_OK, what the sink did, or any other status of
+/// the check of surfaces, to which the error is set.
+/// @param mesh of which the surface was made
+tf_status tf_find_defects(const tf_adaptive_surface *surface,
+                          const tf_mesh *mesh, tf_defect_sink *sink,
+                          tf_error *error);
+
+/// Whether there are none.  Sets an error to what it returns: TF_OK, or the
+/// status of the first one, or that of the check.
+tf_status tf_check_surface(const tf_adaptive_surface *surface,
+                           const tf_mesh *mesh, tf_error *error);

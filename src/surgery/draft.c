@@ -24,9 +24,12 @@ static bool copy_surface(tf_adaptive_surface *to,
     to->triangles = triangles;
     to->free_triangle = from->free_triangle;
     to->scale = from->scale;
+    to->marked = from->marked;
     tf_dynamic_tree_copy(&to->tree, &from->tree, triangles);
     return copy_items(&to->position, &from->position, vertices, point, watch) &&
            copy_items(&to->first, &from->first, vertices, sizeof(int), watch) &&
+           copy_items(&to->frozen, &from->frozen, from->marked, sizeof(bool),
+                      watch) &&
            copy_items(&to->vertex, &from->vertex, triangles, corners, watch) &&
            copy_items(&to->next, &from->next, triangles, corners, watch);
 }
@@ -36,7 +39,9 @@ tf_status tf_draft_begin(tf_adaptive_surface *draft,
                          const tf_adaptive_surface *surface, tf_watch *watch)
 {
     draft->watch = watch;
-    if (!tf_adaptive_reserve(draft, surface->vertices, surface->triangles, 0))
+    if (!tf_adaptive_reserve(draft, surface->vertices, surface->triangles, 0) ||
+        !tf_buffer_extend(&draft->frozen, (size_t)surface->marked,
+                          sizeof(bool)))
         return TF_OUT_OF_MEMORY;
     return copy_surface(draft, surface, watch) ? TF_OK : TF_CANCELLED;
 }
@@ -60,6 +65,7 @@ void tf_draft_free(tf_adaptive_surface *draft)
     tf_buffer_free(&draft->vertex);
     tf_buffer_free(&draft->first);
     tf_buffer_free(&draft->next);
+    tf_buffer_free(&draft->frozen);
     tf_buffer_free(&draft->found);
     tf_buffer_free(&draft->box);
     tf_dynamic_tree_free(&draft->tree);
@@ -69,4 +75,6 @@ void tf_draft_free(tf_adaptive_surface *draft)
     tf_buffer_free(&draft->lent.reconnect_report);
     tf_buffer_free(&draft->lent.origin);
     tf_buffer_free(&draft->lent.corner_origin);
+    tf_buffer_free(&draft->lent.defects);
+    tf_buffer_free(&draft->lent.defect);
 }

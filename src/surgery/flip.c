@@ -30,7 +30,7 @@ static bool may_flip(const tf_adaptive_surface *surface, int a, int b, int c,
 static tf_outcome flip(tf_adaptive_surface *surface, int a, int b)
 {
     int forth = tf_find_edge(surface, a, b), back = tf_find_edge(surface, b, a);
-    if (forth == TF_NONE || back == TF_NONE)
+    if (forth == TF_NONE || back == TF_NONE || tf_is_frozen_edge(surface, a, b))
         return TF_IMPOSSIBLE;
     int c = tf_vertex_at(surface, tf_corner_before(forth));
     int d = tf_vertex_at(surface, tf_corner_before(back));

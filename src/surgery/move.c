@@ -26,7 +26,8 @@ static tf_outcome try_move(tf_adaptive_surface *surface, int vertex,
                            const double position[3])
 {
     int c = tf_first_corner(surface, vertex);
-    if (c == TF_NONE || tf_is_isolated(surface, c / 3))
+    if (c == TF_NONE || tf_is_frozen(surface, vertex) ||
+        tf_is_isolated(surface, c / 3))
         return TF_IMPOSSIBLE;
     int moved = tf_surgery_place(surface, position);
     for (; c != TF_NONE; c = tf_next_corner(surface, c))

@@ -16,8 +16,8 @@
 typedef enum tf_outcome {
     TF_NO_OUTCOME = 0,  ///< it failed, with a status other than TF_OK
     TF_COMMITTED,       ///< it is done
-    TF_IMPOSSIBLE,      ///< no surface would be left, or there is no such
-                        ///< element
+    TF_IMPOSSIBLE,      ///< no surface would be left, there is no such element,
+                        ///< or it is left alone (tf_adaptive_create_around)
     TF_FLATTENED,       ///< a new triangle would be collinear
     TF_OVERLAPPED,      ///< a new triangle would touch another one
     TF_PASSED_VERTEX,   ///< a vertex would be swept over

@@ -52,7 +52,8 @@ tf_status tf_adaptive_split(tf_adaptive_surface *surface, int a, int b,
     int corner[] = {tf_find_edge(surface, a, b), tf_find_edge(surface, b, a)};
     int middle = TF_NONE;
     *outcome = TF_IMPOSSIBLE;
-    if (corner[0] == TF_NONE && corner[1] == TF_NONE)
+    if ((corner[0] == TF_NONE && corner[1] == TF_NONE) ||
+        tf_is_frozen_edge(surface, a, b))
         return TF_OK;
     if (!tf_surgery_begin(surface, SPLIT_ROOM)) {
         *outcome = TF_NO_OUTCOME;

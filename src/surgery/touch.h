@@ -21,6 +21,7 @@ typedef struct tf_facet {
     const double *corner[3];
 } tf_facet;
 
-/// Whether two triangles, neither collinear, have more in common than the
-/// convex hull of the vertices that they share.
+/// Whether two triangles have more in common than the convex hull of the
+/// vertices that they share.  One of them may be collinear; then it also counts
+/// that a single vertex that they share is between its two others.
 bool tf_facets_overlap(const tf_facet *a, const tf_facet *b);

@@ -14,12 +14,14 @@ static bool goes_on(const tf_adaptive_surface *surface, int triangles)
 }
 
 //: Recognize a closed component
-/// Whether a component has no boundary.
+/// Whether a component has no boundary, and no vertex that is frozen.
 static bool is_closed(const tf_adaptive_surface *surface, int count,
                       const int triangle[])
 {
     for (int i = 0; i < 3 * count && goes_on(surface, i); i++)
-        if (tf_is_boundary_edge(surface, 3 * triangle[i / 3] + i % 3))
+        if (tf_is_frozen(surface,
+                         tf_triangle(surface, triangle[i / 3])[i % 3]) ||
+            tf_is_boundary_edge(surface, 3 * triangle[i / 3] + i % 3))
             return false;
     return true;
 }

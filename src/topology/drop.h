@@ -10,8 +10,8 @@
 /// @{
 
 /// Removes the component of a surface that a vertex belongs to, unless it has a
-/// boundary (TF_IMPOSSIBLE) or another component is inside of it
-/// (TF_PASSED_VERTEX).
+/// boundary or a vertex that is left alone (TF_IMPOSSIBLE), or another component
+/// is inside of it (TF_PASSED_VERTEX).
 /// @param surface the surface
 /// @param vertex the number of a vertex of that component
 /// @param[out] outcome what became of it

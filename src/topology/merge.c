@@ -17,13 +17,14 @@ typedef struct tf_quad {
     int corner[4];
 } tf_quad;
 
-/// False if the edge does not have two triangles.
+/// False if the edge does not have two triangles, or is frozen.
 static bool find_quad(const tf_adaptive_surface *surface, const int edge[2],
                       tf_quad *quad)
 {
     int forth = tf_find_edge(surface, edge[0], edge[1]);
     int back = tf_find_edge(surface, edge[1], edge[0]);
-    if (forth == TF_NONE || back == TF_NONE)
+    if (forth == TF_NONE || back == TF_NONE ||
+        tf_is_frozen_edge(surface, edge[0], edge[1]))
         return false;
     quad->triangle[0] = forth / 3;
     quad->triangle[1] = back / 3;

@@ -39,11 +39,12 @@ static bool is_edge_of_loop(const tf_adaptive_surface *surface, int from,
 }
 
 /// The triangles at a vertex on the boundary form a fan, of which a part would
-/// be in two pieces.
+/// be in two pieces.  Of a frozen one they stay.
 static bool may_pinch(const tf_adaptive_surface *surface, const int loop[3])
 {
     for (int i = 0; i < 3; i++)
-        if (!is_edge_of_loop(surface, loop[i], loop[(i + 1) % 3],
+        if (tf_is_frozen(surface, loop[i]) ||
+            !is_edge_of_loop(surface, loop[i], loop[(i + 1) % 3],
                              loop[(i + 2) % 3]) ||
             tf_is_boundary_vertex(surface, loop[i]))
             return false;

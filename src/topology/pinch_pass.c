@@ -185,7 +185,8 @@ static bool is_still_loop(const tf_reconnector *reconnector, const int v[3])
     for (int i = 0; i < 3; i++)
         if (tf_find_edge(reconnector->surface, v[i], v[(i + 1) % 3]) ==
                 TF_NONE ||
-            tf_is_boundary_vertex(reconnector->surface, v[i]))
+            tf_is_boundary_vertex(reconnector->surface, v[i]) ||
+            tf_is_frozen(reconnector->surface, v[i]))
             return false;
     return closes_loop(reconnector, v[0], v[1], v[2]);
 }

@@ -325,6 +325,28 @@ START_TEST(bad_lengths_are_refused)
 }
 END_TEST
 
+START_TEST(what_is_left_alone_does_not_flow)
+{
+    static const double position[] = {0, 0, 0, 1, 0, 0, 2, 0, 0};
+    static const int triangle[] = {0, 1, 2};
+    tf_mesh mesh = {
+        .axes = 3, .vertices = 3, .triangles = 1, .triangle = triangle};
+    tf_adaptive_surface *surface = NULL;
+    ck_assert_int_eq(
+        tf_adaptive_create_around(&mesh, position, &surface, NULL, NULL),
+        TF_OK);
+    tf_flow *flow = flow_of(surface);
+    tf_flow_options options = {
+        .edge = 1, .velocity = tf_field_apply, .context = &vortices};
+    tf_error error;
+    ck_assert_int_eq(tf_flow_step(flow, 0, 1, &options, NULL, &error),
+                     TF_COLLINEAR);
+    ck_assert_uint_eq(error.index, 0);
+    tf_flow_free(flow);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
 START_TEST(bad_options_are_refused)
 {
     tf_adaptive_surface *surface = adaptive_tetrahedron();
@@ -456,6 +478,7 @@ Suite *suite(void)
     suite_add_tcase(suite, tcase);
     tcase = tcase_create("arguments");
     tcase_add_test(tcase, bad_lengths_are_refused);
+    tcase_add_test(tcase, what_is_left_alone_does_not_flow);
     tcase_add_test(tcase, bad_options_are_refused);
     tcase_add_test_raise_signal(tcase, a_flow_needs_a_velocity, SIGABRT);
     tcase_add_test(tcase, freeing_no_flow_does_nothing);

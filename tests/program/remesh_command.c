@@ -437,9 +437,140 @@ START_TEST(texture_coordinates_that_are_missing_are_named)
 }
 END_TEST
 
+// What is not perfect ---------------------------------------------------------
+
+#define CUBE                                                                   \
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\n"          \
+    "v 0 1 1\nf 1 3 2\nf 1 4 3\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5\n"          \
+    "f 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8\n"
+
+/// Another cube, of vertices 9 to 15, on the vertex 7 of that.
+#define CUBE_BEYOND                                                            \
+    "v 2 1 1\nv 2 2 1\nv 1 2 1\nv 1 1 2\nv 2 1 2\nv 2 2 2\nv 1 2 2\n"          \
+    "f 7 10 9\nf 7 11 10\nf 12 13 14\nf 12 14 15\nf 7 9 13\n"                  \
+    "f 7 13 12\nf 9 10 14\nf 9 14 13\nf 10 11 15\nf 10 15 14\n"                \
+    "f 11 7 12\nf 11 12 15\n"
+
+/// Three edges that pierce the cube are a triangle.
+#define NEEDLE "v .2 .3 -1\nv .2 .4 2\nv .5 .3 -1\nf 9 10 11\n"
+
+static const struct {
+    const char *what, *text, *told, *reported;
+} imperfect[] = {
+    {"a vertex of two cubes", CUBE CUBE_BEYOND,
+     "tanglefree: bad.obj:7: the triangles at vertex 7 form more than one ring "
+     "or fan; give each a vertex of its own\n"
+     "tanglefree: bad.obj: 1 of 15 vertices and 0 of 24 triangles are left "
+     "alone because of that\n",
+     "nonmanifold vertices: 1\n"},
+    {"three sheets on an edge",
+     "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 1 0 1\nv 0 1 0\nv 0 1 1\nv -1 -1 0\n"
+     "v -1 -1 1\nf 1 3 4\nf 1 4 2\nf 1 5 6\nf 1 6 2\nf 1 7 8\nf 1 8 2\n",
+     "tanglefree: bad.obj:10: another triangle passes the edge from vertex 2 "
+     "to "
+     "1 in the same direction; orient them consistently, or divide the surface "
+     "there\n"
+     "tanglefree: bad.obj: 2 of 8 vertices and 0 of 6 triangles are left alone "
+     "because of that\n",
+     "nonmanifold edges: 1\n"},
+    {"a collinear triangle", CUBE "v 5 5 5\nv 6 6 6\nv 7 7 7\nf 9 10 11\n",
+     "tanglefree: bad.obj:24: the corners of this triangle are on one line; "
+     "remove it, or move a corner off\n"
+     "tanglefree: bad.obj: 3 of 11 vertices and 1 of 13 triangles are left "
+     "alone because of that\n",
+     "left alone: 1\nnonmanifold edges: 0\nnonmanifold vertices: 0\n"
+     "collinear triangles: 1\nintersections: 0\n"},
+    {"a triangle turned over",
+     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\n"
+     "f 1 2 3\nf 1 4 3\nf 2 5 3\n",
+     "tanglefree: bad.obj: 1 triangle is turned over, as its neighbors are\n",
+     "turned: 1\nleft alone: 0\n"},
+    {"a triangle twice", CUBE "f 1 3 2\n",
+     "tanglefree: bad.obj:9: another triangle passes the edge from vertex 1 to "
+     "3 in the same direction; orient them consistently, or divide the surface "
+     "there\n",
+     "left alone: 2\nnonmanifold edges: 3\n"},
+    {"a band with one side",
+     "v 0 0 0\nv 1 1 1\nv 2 4 8\nv 3 9 27\nv 4 16 64\n"
+     "f 1 2 3\nf 3 2 4\nf 3 4 5\nf 5 4 1\nf 5 1 2\n",
+     "tanglefree: bad.obj:6: another triangle passes the edge from vertex 1 to "
+     "2 in the same direction; orient them consistently, or divide the surface "
+     "there\n"
+     "tanglefree: bad.obj: 2 of 5 vertices and 0 of 5 triangles are left alone "
+     "because of that\n",
+     "turned: 0\nleft alone: 0\nnonmanifold edges: 1\n"},
+    {"edges of no triangle", CUBE "v 5 5 5\nv 6 5 5\nl 9 10\nl 10 7\n",
+     "tanglefree: bad.obj:23: 2 edges of no triangle, from here on, are left "
+     "out\n",
+     "left alone: 0\n"},
+    {"triangles that cross", CUBE NEEDLE,
+     "tanglefree: bad.obj: edge 8 9 passes through triangle 0 2 3 (numbered "
+     "from 0); move them apart\n",
+     "collinear triangles: 0\nintersections: 5\n"},
+};
+
+// Nothing meets that did not, so the numbers of intersections are the same.
+START_TEST(what_is_not_perfect_is_left_alone)
+{
+    make_file("bad.obj", imperfect[_i].text);
+    outcome found = run("$tf remesh bad.obj -o out.obj -e 0.3");
+    ck_assert_msg(found.status == 0, "%s: %s", imperfect[_i].what, found.err);
+    expect_words(found.err, imperfect[_i].told);
+    expect_words(found.out, imperfect[_i].reported);
+    ck_assert_int_gt(occurrences(file_text("out.obj"), "f "), 20);
+    ck_assert_int_eq(
+        run("for i in bad out; do $tf check $i.obj 2>/dev/null | wc -l >$i; "
+            "done; cmp bad out")
+            .status,
+        0);
+    found = run("$tf remesh bad.obj -o strict.obj -e 0.3 --strict");
+    ck_assert_int_eq(found.status, 2);
+    ck_assert_int_eq(occurrences(found.err, "tanglefree:"), 1);
+    ck_assert_int_eq(run("test -e strict.obj").status, 1);
+}
+END_TEST
+
+START_TEST(defects_of_a_kind_are_named_up_to_twenty)
+{
+    char text[3000] = SQUARE;
+    size_t length = strlen(text);
+    for (int i = 10; i < 40; i++)
+        length += (size_t)snprintf(text + length, sizeof text - length,
+                                   "v %d 0 0\nv %d 1 0\nv %d 2 0\nf -1 -2 -3\n",
+                                   i, i, i);
+    make_file("bad.obj", text);
+    outcome found = run("$tf remesh bad.obj -o out.obj -e 0.3");
+    ck_assert_int_eq(found.status, 0);
+    ck_assert_int_eq(occurrences(found.err, "are on one line"), 20);
+    expect_words(found.err, "tanglefree: bad.obj: 10 more like these\n");
+    expect_words(found.out, "collinear triangles: 30\n");
+}
+END_TEST
+
+// Its origins are in the triangles as they are turned.
+START_TEST(a_turned_triangle_carries_over_what_vertices_have)
+{
+    make_file("turned.obj",
+              "v 0 0 0 0 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 1 0\nv 0 1 0 0 1 0\n"
+              "v 2 0 0 2 0 0\nf 1 2 3\nf 1 4 3\nf 2 5 3\n");
+    ck_assert_int_eq(run("$tf remesh turned.obj -o out.obj -e 0.3").status, 0);
+    const char *row = file_text("out.obj");
+    int vertices = 0, read;
+    double x[6];
+    for (; *row == 'v'; row += read, vertices++) {
+        ck_assert_int_eq(sscanf(row, "v %lf %lf %lf %lf %lf %lf\n%n", &x[0],
+                                &x[1], &x[2], &x[3], &x[4], &x[5], &read),
+                         6);
+        ck_assert_double_eq_tol(x[3], x[0], 1e-14);
+        ck_assert_double_eq_tol(x[4], x[1], 1e-14);
+    }
+    ck_assert_int_gt(vertices, 15);
+}
+END_TEST
+
 START_TEST(a_mesh_that_intersects_is_refused)
 {
-    expect(run("$tf remesh crossed -o made -e 1"), 2, "",
+    expect(run("$tf remesh crossed -o made -e 1 --strict"), 2, "",
            "tanglefree: crossed: edge 3 4 passes through triangle 0 1 2 "
            "(numbered from 0); move them apart, see 'tanglefree check' for all "
            "such pairs\n");
@@ -535,6 +666,10 @@ Suite *suite(void)
     tcase_add_test(tcase, groups_keep_their_border);
     tcase_add_test(tcase, labels_of_faces_are_carried_over);
     tcase_add_test(tcase, texture_coordinates_that_are_missing_are_named);
+    tcase_add_loop_test(tcase, what_is_not_perfect_is_left_alone, 0,
+                        (int)(sizeof imperfect / sizeof *imperfect));
+    tcase_add_test(tcase, defects_of_a_kind_are_named_up_to_twenty);
+    tcase_add_test(tcase, a_turned_triangle_carries_over_what_vertices_have);
     tcase_add_test(tcase, a_mesh_that_intersects_is_refused);
     tcase_add_test(tcase, what_cannot_be_written_is_named);
     tcase_add_test(tcase, edges_of_the_wrong_scale_are_refused);

@@ -95,16 +95,27 @@ END_TEST
 
 static void write_remeshed(tf_format format)
 {
-    tf_remeshed remeshed = {.triangles_before = 3,
-                            .triangles_after = 4,
-                            .edge = 0.5,
-                            .seconds = 0.125};
+    tf_remeshed remeshed = {
+        .triangles_before = 3,
+        .triangles_after = 4,
+        .edge = 0.5,
+        .seconds = 0.125,
+    };
+    static const tf_error defect[] = {
+        {.status = TF_EDGE_NOT_MANIFOLD},   {.status = TF_EDGE_NOT_MANIFOLD},
+        {.status = TF_VERTEX_NOT_MANIFOLD}, {.status = TF_COLLINEAR},
+        {.status = TF_COLLINEAR},           {.status = TF_COLLINEAR},
+        {.status = TF_NOT_EMBEDDED}};
+    const tf_defects defects = {
+        .count = 7, .defect = defect, .turned = 5, .triangles = 6};
+    tf_remeshed_set_defects(&remeshed, &defects);
     remeshed.report = (tf_remesh_report){.rounds = 2,
                                          .least_before = 0.25,
                                          .least_after = 0.375,
                                          .mean_before = 0.75,
                                          .mean_after = 0.875,
-                                         .distance = 1.5};
+                                         .distance = 1.5,
+                                         .most_distance = 1.75};
     for (int i = 0; i < TF_OPERATIONS; i++)
         for (int j = 0; j < TF_OUTCOMES; j++)
             remeshed.report.tried[i][j] = (size_t)(100 * (i + 1) + j);
@@ -117,7 +128,9 @@ START_TEST(a_summary_tells_all_of_remeshing)
         "triangles before: 3\ntriangles: 4\nedge: 0.5\n"
         "least quality before: 0.25\nleast quality: 0.375\n"
         "mean quality before: 0.75\nmean quality: 0.875\ndistance: 1.5\n"
-        "rounds: 2\nseconds: 0.125\n"
+        "distance at most: 1.75\nrounds: 2\nseconds: 0.125\n"
+        "turned: 5\nleft alone: 6\nnonmanifold edges: 2\n"
+        "nonmanifold vertices: 1\ncollinear triangles: 3\nintersections: 1\n"
         "splits: 101\nimpossible splits: 102\n";
     write_remeshed(TF_SUMMARY);
     ck_assert_int_eq(strncmp(text, own, strlen(own)), 0);

@@ -7,6 +7,7 @@
 #include "remesh/reach.h"
 #include "support/adaptive_surfaces.h"
 #include "support/cancelling.h"
+#include "support/damage.h"
 #include "support/flows.h"
 #include "support/remeshers.h"
 #include "support/support.h"
@@ -94,6 +95,82 @@ START_TEST(no_scene_is_tangled_by_remeshing)
         ck_assert_msg(!fault, "%s", fault);
         surgery_run_end(&run);
     }
+}
+END_TEST
+
+enum {
+    MOST_TANGLES = 20000
+};
+
+/// Numbers the vertices that are left alone, in their order.
+static int number_frozen(const tf_adaptive_surface *surface, int number[])
+{
+    int count = 0;
+    for (int v = 0; v < surface->vertices; v++)
+        number[v] = tf_is_frozen(surface, v) ? count++ : -1;
+    return count;
+}
+
+/// Gives what meets these numbers.
+static int number_tangles(const tf_adaptive_surface *surface, tangle found[])
+{
+    static int number[LABELLED];
+    number_frozen(surface, number);
+    int count = tangles_of(surface, MOST_TANGLES, found);
+    for (int i = 0; i < 5 * count; i++) {
+        int *v = &found[i / 5].vertex[i % 5];
+        ck_assert(*v < 0 || number[*v] >= 0);
+        *v = *v < 0 ? -1 : number[*v];
+    }
+    return count;
+}
+
+// Sheets have sharp edges and boundaries in defects, and so have slabs.
+START_TEST(no_damaged_scene_is_tangled_more)
+{
+    static tangle before[MOST_TANGLES], after[MOST_TANGLES];
+    static int number[LABELLED];
+    generator random = generator_new((uint64_t)_i + 50);
+    adaptive_scene_make(&random, (adaptive_scene_kind)(_i % ADAPTIVE_SCENES),
+                        &run.scene);
+    for (int i = 1 + below(&random, 5); i > 0; i--)
+        damage(&random, &run.scene);
+    tf_mesh mesh = adaptive_scene_mesh(&run.scene);
+    tf_adaptive_surface *surface = NULL;
+    ck_assert_int_eq(tf_adaptive_create_around(&mesh, run.scene.position,
+                                               &surface, NULL, NULL),
+                     TF_OK);
+    int count = number_tangles(surface, before);
+    int frozen = number_frozen(surface, number);
+    tf_remesh_options how = {
+        .size = sizeof how, .edge = run.scene.unit / (1 + _i % 3), .rounds = 2};
+    ck_assert_int_eq(tf_adaptive_remesh(surface, &how, NULL, NULL), TF_OK);
+    ck_assert_int_eq(number_frozen(surface, number), frozen);
+    ck_assert_int_eq(number_tangles(surface, after), count);
+    ck_assert_mem_eq(after, before, (size_t)count * sizeof *before);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// The middle of a sheet of 8 x 8 squares has a fin on a diagonal of its own, ten
+// times as long as edges are to be.
+START_TEST(triangles_beside_a_long_edge_stay_fair)
+{
+    static const double corner[] = {0, 0, 0, 8, 0, 0, 8, 8,
+                                    0, 0, 8, 0, 4, 4, 9};
+    static const int triangle[] = {0, 1, 2, 2, 3, 0, 0, 2, 4};
+    tf_mesh mesh = {
+        .axes = 3, .vertices = 5, .triangles = 3, .triangle = triangle};
+    tf_adaptive_surface *surface = NULL;
+    ck_assert_int_eq(
+        tf_adaptive_create_around(&mesh, corner, &surface, NULL, NULL), TF_OK);
+    tf_remesh_options how = {.size = sizeof how, .edge = 1};
+    const tf_remesh_report *report;
+    ck_assert_int_eq(tf_adaptive_remesh(surface, &how, &report, NULL), TF_OK);
+    ck_assert_int_gt(triangles_of(surface), 100);
+    ck_assert_double_gt(report->least_after, 0.02);
+    ck_assert_double_gt(report->mean_after, 0.8);
+    tf_adaptive_free(surface);
 }
 END_TEST
 
@@ -591,6 +668,8 @@ Suite *suite(void)
                         ADAPTIVE_SCENES);
     tcase_add_loop_test(tcase, no_scene_is_tangled_by_remeshing, 0,
                         ADAPTIVE_SCENES);
+    tcase_add_loop_test(tcase, no_damaged_scene_is_tangled_more, 0, 20);
+    tcase_add_test(tcase, triangles_beside_a_long_edge_stay_fair);
     tcase_add_test(tcase, a_sphere_gets_good_triangles);
     tcase_add_test(tcase, prisms_keep_their_edges);
     tcase_add_test(tcase, the_crease_angle_decides);

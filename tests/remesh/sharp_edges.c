@@ -65,6 +65,17 @@ START_TEST(vertices_of_a_box_are_free_inside_its_sides)
 }
 END_TEST
 
+START_TEST(vertices_that_are_left_alone_are_corners)
+{
+    tf_adaptive_surface *surface = adaptive_sheet(2, 2);
+    adaptive_freeze(surface, 4);
+    find(surface, 0, NULL);
+    ck_assert_int_eq(tf_freedom_of(&sharp, 4), TF_HELD);
+    ck_assert_int_eq(tf_freedom_of(&sharp, 1), TF_ALONG_SHARP_EDGE);
+    release(surface);
+}
+END_TEST
+
 START_TEST(the_edges_of_a_box_are_sharp)
 {
     tf_adaptive_surface *surface = box();
@@ -318,6 +329,7 @@ Suite *suite(void)
     Suite *suite = suite_create("remesh/sharp_edges");
     TCase *tcase = tcase_create("sharp edges");
     tcase_add_test(tcase, vertices_of_a_box_are_free_inside_its_sides);
+    tcase_add_test(tcase, vertices_that_are_left_alone_are_corners);
     tcase_add_test(tcase, the_edges_of_a_box_are_sharp);
     tcase_add_test(tcase, the_angle_decides);
     tcase_add_test(tcase, the_depth_decides_too);

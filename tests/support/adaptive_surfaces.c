@@ -4,6 +4,7 @@
 #include "surgery/adaptive_surface.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum {
     SHEET_VERTICES = 100
@@ -88,4 +89,16 @@ int has_triangle(const tf_adaptive_surface *surface, int a, int b, int c)
             return 1;
     }
     return 0;
+}
+
+void adaptive_freeze(tf_adaptive_surface *surface, int vertex)
+{
+    size_t vertices = (size_t)surface->vertices;
+    if (surface->marked == 0) {
+        if (!tf_buffer_extend(&surface->frozen, vertices, sizeof(bool)))
+            abort();
+        memset(surface->frozen.data, false, vertices * sizeof(bool));
+        surface->marked = surface->vertices;
+    }
+    ((bool *)surface->frozen.data)[vertex] = true;
 }

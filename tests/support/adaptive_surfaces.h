@@ -30,4 +30,7 @@ uint64_t adaptive_hash(const tf_adaptive_surface *surface);
 /// Whether there is a triangle with these vertices, in this orientation.
 int has_triangle(const tf_adaptive_surface *surface, int a, int b, int c);
 
+/// Leaves a vertex alone, as if it had a defect.
+void adaptive_freeze(tf_adaptive_surface *surface, int vertex);
+
 #endif

@@ -67,6 +67,17 @@ START_TEST(a_ring_around_another_component_is_dropped)
 }
 END_TEST
 
+START_TEST(a_component_that_is_left_alone_is_not_dropped)
+{
+    int first[4];
+    tf_adaptive_surface *surface = boxes(first);
+    adaptive_freeze(surface, first[2] + 3);
+    ck_assert_int_eq(drop(surface, first[2]), TF_IMPOSSIBLE);
+    ck_assert_int_eq(drop(surface, first[1]), TF_COMMITTED);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
 START_TEST(a_component_with_a_boundary_is_not_dropped)
 {
     tf_adaptive_surface *surface = adaptive_sheet(2, 2);
@@ -83,6 +94,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("drops");
     tcase_add_test(tcase, a_component_that_holds_another_is_not_dropped);
     tcase_add_test(tcase, a_ring_around_another_component_is_dropped);
+    tcase_add_test(tcase, a_component_that_is_left_alone_is_not_dropped);
     tcase_add_test(tcase, a_component_with_a_boundary_is_not_dropped);
     suite_add_tcase(suite, tcase);
     return suite;

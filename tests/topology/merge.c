@@ -76,6 +76,27 @@ START_TEST(a_merge_joins_two_components)
 }
 END_TEST
 
+START_TEST(edges_that_are_left_alone_do_not_merge)
+{
+    for (int high = 0; high < 2; high++) {
+        tf_adaptive_surface *surface = two_boxes(false, false);
+        if (high) // whichever diagonal there is
+            for (int i = 0; i < 4; i++)
+                adaptive_freeze(surface, vertex_at(i / 2, i % 2, 2));
+        else
+            adaptive_freeze(surface, vertex_at(0, 0, 1));
+        ck_assert_int_eq(merge_diagonals(surface),
+                         high ? TF_IMPOSSIBLE : TF_COMMITTED);
+        tf_adaptive_free(surface);
+    }
+    tf_adaptive_surface *surface = two_boxes(false, false);
+    adaptive_freeze(surface, vertex_at(0, 0, 1));
+    adaptive_freeze(surface, vertex_at(1, 1, 1));
+    ck_assert_int_eq(merge_diagonals(surface), TF_IMPOSSIBLE);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
 // The lengths of its diagonals must neither over- nor underflow.
 START_TEST(a_merge_is_the_same_in_any_unit_of_length)
 {
@@ -192,6 +213,7 @@ Suite *suite(void)
     Suite *suite = suite_create("topology/merge");
     TCase *tcase = tcase_create("merges");
     tcase_add_test(tcase, a_merge_joins_two_components);
+    tcase_add_test(tcase, edges_that_are_left_alone_do_not_merge);
     tcase_add_test(tcase, a_merge_is_the_same_in_any_unit_of_length);
     tcase_add_test(tcase, a_merge_around_a_speck_is_refused);
     tcase_add_test(tcase, a_front_does_not_merge_with_a_back);

@@ -72,6 +72,20 @@ START_TEST(a_pinch_makes_two_components)
 }
 END_TEST
 
+START_TEST(a_loop_that_is_left_alone_is_not_pinched)
+{
+    int vertex[3];
+    make_neck();
+    for (int v = 3; v < 9; v++) {
+        tf_adaptive_surface *surface = blobs_surface(&made);
+        adaptive_freeze(surface, v);
+        ck_assert_int_eq(pinch(surface, false, 0.25, vertex),
+                         v < 6 ? TF_COMMITTED : TF_IMPOSSIBLE);
+        tf_adaptive_free(surface);
+    }
+}
+END_TEST
+
 // What is in the neck would be outside.
 START_TEST(a_pinch_that_lets_a_speck_out_is_refused)
 {
@@ -263,6 +277,7 @@ Suite *suite(void)
     Suite *suite = suite_create("topology/pinch");
     TCase *tcase = tcase_create("pinches");
     tcase_add_test(tcase, a_pinch_makes_two_components);
+    tcase_add_test(tcase, a_loop_that_is_left_alone_is_not_pinched);
     tcase_add_test(tcase, a_pinch_that_lets_a_speck_out_is_refused);
     tcase_add_test(tcase, a_pinch_through_a_speck_is_refused);
     tcase_add_test(tcase, a_pinch_that_sweeps_over_a_speck_is_refused);

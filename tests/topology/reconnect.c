@@ -190,6 +190,25 @@ static void even_out(tf_adaptive_surface *surface)
     }
 }
 
+// With every vertex of the neck left alone there is none to be pinched.
+START_TEST(what_is_left_alone_is_not_reconnected)
+{
+    tf_adaptive_surface *surface = make_dumbbell();
+    report = (tf_reconnect_report){0};
+    for (int i = 0; i < 25; i++) {
+        even_out(surface);
+        move_all(surface, squeeze);
+    }
+    for (int v = 0; v < tf_adaptive_mesh(surface)->vertices; v++)
+        adaptive_freeze(surface, v);
+    reconnect(surface, dumbbell_edge);
+    ck_assert_uint_eq(done(TF_PINCH), 0);
+    ck_assert_uint_eq(done(TF_MERGE), 0);
+    ck_assert_int_eq(parts_of(surface), 1);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
 START_TEST(a_squeezed_dumbbell_becomes_two_balls)
 {
     tf_adaptive_surface *surface = make_dumbbell();
@@ -346,6 +365,7 @@ Suite *suite(void)
     tcase_add_loop_test(tcase, one_contact_makes_one_merge, 0, 10);
     tcase_add_test(tcase, a_ring_of_balls_gets_one_handle);
     tcase_add_test(tcase, a_squeezed_dumbbell_becomes_two_balls);
+    tcase_add_test(tcase, what_is_left_alone_is_not_reconnected);
     tcase_add_test(tcase, a_cancelled_reconnection_changes_nothing);
     tcase_add_test(tcase, the_unit_of_length_changes_no_bit);
     tcase_add_test(tcase, lengths_may_overflow);

@@ -78,6 +78,24 @@ START_TEST(meshes_are_surfaces)
 }
 END_TEST
 
+// Around what is wrong with a surface there is one, but not without triangles.
+START_TEST(meshes_with_defects_are_surfaces)
+{
+    for (int i = 0; i < COUNT(meshes); i++) {
+        bool defective = meshes[i].mesh.edges == 0 &&
+                         meshes[i].expected == TF_EDGE_NOT_MANIFOLD;
+        tf_adaptive_surface *made = NULL;
+        tf_error error;
+        tf_status status = tf_adaptive_create_around(&meshes[i].mesh, position,
+                                                     &made, NULL, &error);
+        expect_error(meshes[i].what, status,
+                     defective ? TF_OK : meshes[i].expected, &error);
+        ck_assert_int_eq(made != NULL, defective);
+        tf_adaptive_free(made);
+    }
+}
+END_TEST
+
 START_TEST(positions_are_finite)
 {
     static const double bad[] = {NAN, INFINITY, -INFINITY};
@@ -496,6 +514,7 @@ Suite *suite(void)
     TCase *c = tcase_create("statuses");
     tcase_add_checked_fixture(c, begin, finish);
     tcase_add_test(c, meshes_are_surfaces);
+    tcase_add_test(c, meshes_with_defects_are_surfaces);
     tcase_add_test(c, positions_are_finite);
     tcase_add_loop_test(c, operations_are_about_vertices, 0, COUNT(operations));
     tcase_add_loop_test(c, operations_lead_to_finite_positions, 0,

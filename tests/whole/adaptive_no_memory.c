@@ -261,12 +261,57 @@ START_TEST(flows_lack_memory)
 }
 END_TEST
 
+/// The necks cross, and a triangle is turned over.
+static void make_crossing_necks(void)
+{
+    make_necks();
+    for (int v = 0; v < parts.vertices / 2; v++)
+        parts.position[v][2] += 1.2;
+    int first = parts.triangle[0];
+    parts.triangle[0] = parts.triangle[1];
+    parts.triangle[1] = first;
+}
+
+static uint64_t let_around(void)
+{
+    const tf_mesh mesh = {.axes = 3,
+                          .vertices = parts.vertices,
+                          .triangles = parts.triangles,
+                          .triangle = parts.triangle};
+    tf_adaptive_surface *surface = NULL;
+    const tf_defects *defects;
+    tf_outcome outcome;
+    while (lacks_memory(tf_adaptive_create_around(
+        &mesh, parts.position[0], &surface, &defects, &error))) {
+        ck_assert_ptr_null(surface);
+        ck_assert_int_eq(error.status, TF_OUT_OF_MEMORY);
+    }
+    ck_assert_uint_gt(defects->count, 0);
+    ck_assert_int_eq(defects->turned, 1);
+    uint64_t before = hash_of(surface);
+    while (lacks_memory(remesh(surface, &outcome)))
+        ck_assert_uint_eq(hash_of(surface), before);
+    expect_told(tf_adaptive_memory(surface));
+    uint64_t changed = hash_of(surface);
+    ck_assert_uint_ne(changed, before);
+    tf_adaptive_free(surface);
+    return changed;
+}
+
+START_TEST(surfaces_around_defects_lack_memory)
+{
+    make_crossing_necks();
+    let_each_fail(let_around);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("whole/adaptive_no_memory");
     TCase *tcase = tcase_create("failures");
     tcase_add_loop_test(tcase, adaptive_surfaces_lack_memory, 0, CHANGES);
     tcase_add_test(tcase, flows_lack_memory);
+    tcase_add_test(tcase, surfaces_around_defects_lack_memory);
     suite_add_tcase(suite, tcase);
     return suite;
 }

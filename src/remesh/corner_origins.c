@@ -176,11 +176,11 @@ static tf_status match(matching *matched, tf_watch *watch)
 static const tf_sharp_link *edge_before(const division *now, int corner)
 {
     const tf_sharp_link *link = link_at(now, corner);
-    if (tf_freedom_of(now->sharp, tf_vertex_at(now->surface, corner)) ==
-        TF_FREE)
-        return NULL;
-    for (; !link; link = link_at(now, corner))
-        corner = tf_corner_after(corner_across(now, corner));
+    for (int c = corner; !link; link = link_at(now, c)) {
+        c = tf_corner_after(corner_across(now, c));
+        if (c == corner)
+            break;
+    }
     return link;
 }
 

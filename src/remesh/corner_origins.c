@@ -47,13 +47,17 @@ static int corner_across(const division *divided, int corner)
 
 //: Divide a surface
 /// Spreads a region from a triangle on; the stack has room for all triangles.
-static void spread(division *divided, int triangle, int stack[])
+/// False if the caller cancels.
+static bool spread(division *divided, int triangle, int stack[],
+                   tf_watch *watch)
 {
-    int count = 0;
+    int count = 0, visited = 0;
     *region_at(divided, triangle) = divided->regions;
     stack[count++] = triangle;
     while (count > 0) {
         int corner = 3 * stack[--count];
+        if (++visited % WATCHED == 0 && !tf_watch_done(watch, 0))
+            return false;
         for (int c = corner; c < corner + 3; c++) {
             if (link_at(divided, c))
                 continue;
@@ -64,6 +68,7 @@ static void spread(division *divided, int triangle, int stack[])
             stack[count++] = next;
         }
     }
+    return true;
 }
 
 static tf_status divide(division *divided, tf_buffer *stack, tf_watch *watch)
@@ -80,7 +85,8 @@ static tf_status divide(division *divided, tf_buffer *stack, tf_watch *watch)
         if (!tf_is_triangle(divided->surface, t) ||
             *region_at(divided, t) != TF_NONE)
             continue;
-        spread(divided, t, stack->data);
+        if (!spread(divided, t, stack->data, watch))
+            return TF_CANCELLED;
         divided->regions++;
     }
     return TF_OK;
@@ -107,36 +113,43 @@ static int *source_of(const matching *matched, int region)
     return (int *)matched->source.data + region;
 }
 
-static void find_sides(const matching *matched)
+/// False if the caller cancels.
+static bool find_sides(const matching *matched, tf_watch *watch)
 {
     const division *before = &matched->before;
     for (int i = 0; i < before->sharp->sides; i++)
         *left_of(matched, i) = TF_NONE;
     for (int c = 0; c < 3 * before->surface->triangles; c++) {
+        if (c % WATCHED == 0 && !tf_watch_done(watch, 0))
+            return false;
         const tf_sharp_link *link =
             tf_is_triangle(before->surface, c / 3) ? link_at(before, c) : NULL;
         if (link)
             *left_of(matched, link->side) = *region_at(before, c / 3);
     }
+    return true;
 }
 
 /// By the sharp edges around a region; one that has none is a whole part of the
-/// surface, and comes from where any vertex does.
-static void find_sources(const matching *matched)
+/// surface, and comes from where any vertex does.  False if the caller cancels.
+static bool find_sources(const matching *matched, tf_watch *watch)
 {
     const division *now = &matched->now;
+    for (int i = 0; i < now->regions; i++)
+        *source_of(matched, i) = TF_NONE;
     for (int c = 0; c < 3 * now->surface->triangles; c++) {
-        const tf_origin *origin =
-            &matched->origin[tf_vertex_at(now->surface, c)];
-        *source_of(matched, *region_at(now, c / 3)) =
-            *region_at(&matched->before, origin->triangle);
-    }
-    for (int c = 0; c < 3 * now->surface->triangles; c++) {
+        if (c % WATCHED == 0 && !tf_watch_done(watch, 0))
+            return false;
         const tf_sharp_link *link = link_at(now, c);
+        int vertex = tf_vertex_at(now->surface, c);
+        int *source = source_of(matched, *region_at(now, c / 3));
         if (link)
-            *source_of(matched, *region_at(now, c / 3)) =
-                *left_of(matched, link->side);
+            *source = *left_of(matched, link->side);
+        else if (*source == TF_NONE)
+            *source =
+                *region_at(&matched->before, matched->origin[vertex].triangle);
     }
+    return true;
 }
 
 static tf_status match(matching *matched, tf_watch *watch)
@@ -151,9 +164,9 @@ static tf_status match(matching *matched, tf_watch *watch)
     if (!tf_buffer_extend(&matched->left, sides, sizeof(int)) ||
         !tf_buffer_extend(&matched->source, regions, sizeof(int)))
         return TF_OUT_OF_MEMORY;
-    find_sides(matched);
-    find_sources(matched);
-    return TF_OK;
+    return find_sides(matched, watch) && find_sources(matched, watch)
+               ? TF_OK
+               : TF_CANCELLED;
 }
 
 //: Find the side of a corner
@@ -163,11 +176,11 @@ static tf_status match(matching *matched, tf_watch *watch)
 static const tf_sharp_link *edge_before(const division *now, int corner)
 {
     const tf_sharp_link *link = link_at(now, corner);
-    if (tf_freedom_of(now->sharp, tf_vertex_at(now->surface, corner)) ==
-        TF_FREE)
-        return NULL;
-    for (; !link; link = link_at(now, corner))
-        corner = tf_corner_after(corner_across(now, corner));
+    for (int c = corner; !link; link = link_at(now, c)) {
+        c = tf_corner_after(corner_across(now, c));
+        if (c == corner)
+            break;
+    }
     return link;
 }
 

@@ -240,6 +240,10 @@ static bool is_corner(const tf_sharp_edges *all,
 }
 
 //: Number the sides of sharp edges
+enum {
+    WATCHED = 1024 ///< corners or vertices between two looks at the watch
+};
+
 /// The link with which a line of sharp edges goes on from the end of another
 /// one; NULL: it ends there.
 static tf_sharp_link *link_after(const tf_sharp_edges *all, int from, int end)
@@ -264,23 +268,22 @@ static void number_side(tf_sharp_edges *all, int from, tf_sharp_link *link)
 }
 
 /// Lines that end somewhere are numbered from there on, and then the closed ones.
-static void number_sides(tf_sharp_edges *all)
+static tf_status number_sides(tf_sharp_edges *all, tf_watch *watch)
 {
     for (int pass = 0; pass < 2; pass++)
         for (int v = 0; v < all->vertices; v++) {
+            if (v % WATCHED == 0 && !tf_watch_done(watch, 0))
+                return TF_CANCELLED;
             int link =
                 pass == 1 || *held_at(all, v) ? *first_of(all, v) : TF_NONE;
             for (; link != TF_NONE; link = link_of(all, link)->next)
                 number_side(all, v, link_of(all, link));
         }
+    return TF_OK;
 }
 
 //: Find the sharp edges of a surface
 const tf_sharpness tf_sharp_boundary = {.cosine = -2, .depth = INFINITY};
-
-enum {
-    WATCHED = 1024 ///< corners or vertices between two looks at the watch
-};
 
 static tf_status add_sharp(tf_sharp_edges *all,
                            const tf_adaptive_surface *surface,
@@ -340,9 +343,7 @@ tf_status tf_sharp_edges_find(tf_sharp_edges *all,
         status = TF_OUT_OF_MEMORY;
     if (status == TF_OK)
         status = hold_corners(all, surface, sharpness, watch);
-    if (status == TF_OK)
-        number_sides(all);
-    return status;
+    return status == TF_OK ? number_sides(all, watch) : status;
 }
 
 //: Find the freedom of a vertex

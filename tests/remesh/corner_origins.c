@@ -370,8 +370,12 @@ END_TEST
 START_TEST(elsewhere_corners_come_from_where_vertices_do)
 {
     tf_adaptive_surface *surface = globe();
-    const tf_remesh_options how = {
-        .size = sizeof how, .edge = 0.2, .crease = 60};
+    const int corner_kept[] = {40, 40}; // a corner alone is no sharp edge
+    const tf_remesh_options how = {.size = sizeof how,
+                                   .edge = 0.2,
+                                   .crease = 60,
+                                   .keeps = 1,
+                                   .keep = corner_kept};
     ck_assert_ptr_null(tf_adaptive_corner_origins(surface));
     ck_assert_int_eq(tf_adaptive_remesh(surface, &how, NULL, NULL), TF_OK);
     const tf_origin *origin = tf_adaptive_origins(surface);

@@ -198,6 +198,61 @@ static int count_at(int vertex, int vertices, double *length)
     return count;
 }
 
+static int side_of(int from, int to)
+{
+    return tf_find_sharp_edge(&sharp, from, to)->side;
+}
+
+// A kept line across a sheet, from the left to the right; the boundary has six
+// lines, between corners and the ends of the line.
+START_TEST(a_line_keeps_its_sides)
+{
+    static const int keep[] = {10, 11, 11, 12, 12, 13, 13, 14};
+    tf_adaptive_surface *sheet = adaptive_sheet(4, 4);
+    find(sheet, 4, keep);
+    int forth = side_of(10, 11), back = side_of(11, 10);
+    ck_assert_int_eq(sharp.sides, 2 * 7);
+    ck_assert_int_ne(forth, back);
+    ck_assert_int_eq(side_of(13, 14), forth);
+    ck_assert_int_eq(side_of(14, 13), back);
+    ck_assert_int_eq(side_of(0, 1), side_of(3, 4));
+    ck_assert_int_ne(side_of(0, 1), side_of(1, 0));
+    ck_assert_int_ne(side_of(0, 1), side_of(4, 9));
+    ck_assert(tf_sharp_edges_extend(&sharp, 26));
+    ck_assert(tf_sharp_edges_split(&sharp, 12, 11, 25));
+    tf_sharp_edges_collapse(&sharp, 13, 14);
+    tf_sharp_edges_collapse(&sharp, 11, 10);
+    static const int line[] = {10, 25, 12, 14};
+    for (int i = 0; i < 3; i++) {
+        ck_assert_int_eq(side_of(line[i], line[i + 1]), forth);
+        ck_assert_int_eq(side_of(line[i + 1], line[i]), back);
+    }
+    release(sheet);
+}
+END_TEST
+
+START_TEST(a_closed_line_has_two_sides)
+{
+    static double position[17][3];
+    static int triangle[48];
+    for (int i = 0; i < 16; i++) {
+        position[i][0] = cos(i * acos(-1) / 8);
+        position[i][1] = sin(i * acos(-1) / 8);
+        memcpy(triangle + 3 * i, (int[]){16, i, (i + 1) % 16},
+               3 * sizeof *triangle);
+    }
+    tf_adaptive_surface *disc = adaptive_of(17, position, 16, triangle);
+    find(disc, 0, NULL);
+    ck_assert_int_eq(sharp.sides, 2);
+    for (int i = 0; i < 16; i++) {
+        ck_assert_int_eq(tf_freedom_of(&sharp, i), TF_ALONG_SHARP_EDGE);
+        ck_assert_int_eq(side_of(i, (i + 1) % 16), side_of(0, 1));
+        ck_assert_int_eq(side_of((i + 1) % 16, i), 1 - side_of(0, 1));
+    }
+    release(disc);
+}
+END_TEST
+
 // The boundary of a sheet of 3 x 3 squares goes on as one loop, and as long, after
 // any splits and collapses along it.
 START_TEST(a_loop_stays_a_loop)
@@ -335,6 +390,8 @@ Suite *suite(void)
     tcase_add_test(tcase, the_depth_decides_too);
     tcase_add_test(tcase, the_boundary_is_sharp);
     tcase_add_test(tcase, kept_edges_are_sharp);
+    tcase_add_test(tcase, a_line_keeps_its_sides);
+    tcase_add_test(tcase, a_closed_line_has_two_sides);
     tcase_add_test(tcase, a_loop_stays_a_loop);
     tcase_add_test(tcase, gaps_are_closed);
     tcase_add_test(tcase, the_freer_vertex_collapses);

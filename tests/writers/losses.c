@@ -9,6 +9,8 @@
 
 static tf_fault fault;
 
+static bool keeps_faces;
+
 /// Expects these losses of a text in a format.
 static void expect_losses(const char *text, tf_mesh_format format,
                           const char *words)
@@ -19,7 +21,7 @@ static void expect_losses(const char *text, tf_mesh_format format,
     make_file("in", text);
     ck_assert_msg(tf_mesh_file_read_all(&file, "in", &columns, &source, &fault),
                   "%s", fault.text);
-    ck_assert_str_eq(tf_find_losses(&file, format, false).text, words);
+    ck_assert_str_eq(tf_find_losses(&file, format, keeps_faces).text, words);
     tf_mesh_file_free(&file);
     tf_columns_free(&columns);
     tf_source_free(&source);
@@ -33,6 +35,29 @@ START_TEST(a_mesh_with_nothing_else_loses_nothing)
                                              TF_STL_BINARY, TF_VTP};
     for (int i = 0; i < 5; i++)
         expect_losses(OBJ, formats[i], "");
+}
+END_TEST
+
+START_TEST(what_faces_have_may_be_kept)
+{
+    keeps_faces = true;
+    expect_losses(
+        "# x\no a\ng b\nusemtl c\nmtllib d\ns 1\nvt 0 0\nvn 0 0 1\n" OBJ,
+        TF_OBJ, "comments, smoothing groups and normals");
+    static const char *const kept[] = {"int", "uchar", "int16", "uint32"};
+    static const char *const lost[] = {"float", "double", "float32",
+                                       "list uchar int"};
+    for (int i = 0; i < 8; i++) {
+        char text[400];
+        sprintf(text,
+                "ply\nformat ascii 1.0\nelement vertex 3\nproperty int x\n"
+                "property int y\nproperty int z\nelement face 1\n"
+                "property list uchar int vertex_indices\nproperty %s a\n"
+                "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0\n",
+                i < 4 ? kept[i] : lost[i - 4]);
+        expect_losses(text, TF_PLY_TEXT, i < 4 ? "" : "properties of faces");
+    }
+    keeps_faces = false;
 }
 END_TEST
 
@@ -212,6 +237,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("losses");
     tcase_add_checked_fixture(tcase, enter_folder, leave_folder);
     tcase_add_test(tcase, a_mesh_with_nothing_else_loses_nothing);
+    tcase_add_test(tcase, what_faces_have_may_be_kept);
     tcase_add_test(tcase, lines_of_obj_are_lost);
     tcase_add_test(tcase, formats_lose_elements_that_they_do_not_hold);
     tcase_add_test(tcase, properties_of_vertices_are_lost_where_there_are_none);

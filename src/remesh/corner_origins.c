@@ -130,8 +130,51 @@ static bool find_sides(const matching *matched, tf_watch *watch)
     return true;
 }
 
-/// By the sharp edges around a region; one that has none is a whole part of the
-/// surface, and comes from where any vertex does.  False if the caller cancels.
+/// A triangle of frozen vertices, which is one of the original.
+static int triangle_before(const matching *matched, const int vertex[3])
+{
+    const tf_adaptive_surface *before = matched->before.surface;
+    int v[3];
+    for (int i = 0; i < 3; i++) {
+        const tf_origin *origin = &matched->origin[vertex[i]];
+        int k = 0;
+        while (origin->barycentric[k] != 1)
+            k++;
+        v[i] = tf_triangle(before, origin->triangle)[k];
+    }
+    int c = tf_first_corner(before, v[0]);
+    while (tf_vertex_at(before, tf_corner_after(c)) != v[1] ||
+           tf_vertex_at(before, tf_corner_before(c)) != v[2])
+        c = tf_next_corner(before, c);
+    return c / 3;
+}
+
+static bool is_all_frozen(const tf_adaptive_surface *surface,
+                          const int vertex[3])
+{
+    return tf_is_frozen_edge(surface, vertex[0], vertex[1]) &&
+           tf_is_frozen(surface, vertex[2]);
+}
+
+/// What a corner tells of the region of its triangle: by a sharp edge that is not
+/// frozen, and may have only two triangles; or for want of those by a vertex.
+static void match_corner(const matching *matched, int corner)
+{
+    const division *before = &matched->before, *now = &matched->now;
+    const int *v = tf_triangle(now->surface, corner / 3);
+    int vertex = tf_vertex_at(now->surface, corner);
+    int *source = source_of(matched, *region_at(now, corner / 3));
+    const tf_sharp_link *link = link_at(now, corner);
+    if (is_all_frozen(now->surface, v))
+        *source = *region_at(before, triangle_before(matched, v));
+    else if (link && !tf_is_frozen_edge(now->surface, vertex, link->to))
+        *source = *left_of(matched, link->side);
+    else if (*source == TF_NONE && !tf_is_frozen(now->surface, vertex))
+        *source = *region_at(before, matched->origin[vertex].triangle);
+}
+
+/// Finds from which region of the original each region comes.  False if the
+/// caller cancels.
 static bool find_sources(const matching *matched, tf_watch *watch)
 {
     const division *now = &matched->now;
@@ -140,14 +183,7 @@ static bool find_sources(const matching *matched, tf_watch *watch)
     for (int c = 0; c < 3 * now->surface->triangles; c++) {
         if (c % WATCHED == 0 && !tf_watch_done(watch, 0))
             return false;
-        const tf_sharp_link *link = link_at(now, c);
-        int vertex = tf_vertex_at(now->surface, c);
-        int *source = source_of(matched, *region_at(now, c / 3));
-        if (link)
-            *source = *left_of(matched, link->side);
-        else if (*source == TF_NONE)
-            *source =
-                *region_at(&matched->before, matched->origin[vertex].triangle);
+        match_corner(matched, c);
     }
     return true;
 }

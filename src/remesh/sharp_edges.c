@@ -210,10 +210,15 @@ double tf_height_at(const tf_adaptive_surface *surface, int corner)
 }
 
 //: Recognize a sharp edge
+/// Edges that are left alone are sharp, since they may have any number of
+/// triangles.
 static bool is_sharp(const tf_adaptive_surface *surface, int corner,
                      const tf_sharpness *sharpness)
 {
-    if (tf_is_boundary_edge(surface, corner))
+    int end[] = {tf_vertex_at(surface, corner),
+                 tf_vertex_at(surface, tf_corner_after(corner))};
+    if (tf_is_boundary_edge(surface, corner) ||
+        tf_is_frozen_edge(surface, end[0], end[1]))
         return true;
     tf_shape pair[2];
     find_pair(surface, corner, pair);

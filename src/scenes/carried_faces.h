@@ -18,7 +18,8 @@ typedef struct tf_carried_faces {
 
 /// Adds the borders to kept edges: the edges between faces that differ in what
 /// they have, or in texture coordinates at an end.  False: there is a fault.
-/// @param file whose triangles are a surface: an edge has two of them at most
+/// @param file with triangles that agree at edges; those of more than two are not
+///     looked at
 bool tf_carried_faces_begin(tf_carried_faces *carried, const tf_mesh_file *file,
                             tf_kept_edges *kept);
 

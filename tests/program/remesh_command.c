@@ -321,6 +321,25 @@ START_TEST(materials_and_textures_keep_their_places)
 }
 END_TEST
 
+/// Three sheets on one edge, and a triangle through one of them.
+#define PAGES                                                                  \
+    "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 0 0 3\nv 4 0 3\nv 2 -3 1\n"         \
+    "v 1 1 -1\nv 2 1 -1\nv 1.5 1 1\nusemtl a\nf 1 2 3\nf 1 3 4\nusemtl b\n"    \
+    "f 1 2 6\nf 1 6 5\nusemtl c\nf 2 1 7\nusemtl d\nf 8 9 10\n"
+
+START_TEST(materials_meet_where_three_sheets_do)
+{
+    make_file("pages.obj", PAGES);
+    outcome found = run("$tf remesh pages.obj -o out.obj -e 0.5");
+    ck_assert_int_eq(found.status, 0);
+    const obj *made = read_obj("out.obj");
+    ck_assert_double_eq_tol(area_below(made, "a"), 16, 1e-12);
+    ck_assert_double_eq_tol(area_below(made, "b"), 12, 1e-12);
+    ck_assert_double_eq_tol(area_below(made, "c"), 2 * sqrt(10), 1e-12);
+    ck_assert_double_eq_tol(area_below(made, "d"), 1, 1e-12);
+}
+END_TEST
+
 /// A flat sheet of 4 x 4 squares, whose groups a and b meet at a zigzag.
 static void make_sheet(void)
 {
@@ -663,6 +682,7 @@ Suite *suite(void)
     tcase_add_test(tcase, what_vertices_have_is_carried_over);
     tcase_add_test(tcase, colors_of_obj_are_carried_over);
     tcase_add_loop_test(tcase, materials_and_textures_keep_their_places, 0, 3);
+    tcase_add_test(tcase, materials_meet_where_three_sheets_do);
     tcase_add_test(tcase, groups_keep_their_border);
     tcase_add_test(tcase, labels_of_faces_are_carried_over);
     tcase_add_test(tcase, texture_coordinates_that_are_missing_are_named);

@@ -16,7 +16,8 @@ static const double slope = 12;
 static fig_point point_at(double degrees, double radius)
 {
     double angle = degrees * acos(-1) / 180;
-    return (fig_point){radius * cos(angle), radius * sin(angle)};
+    double x = radius * cos(angle), y = radius * sin(angle);
+    return (fig_point){x, y};
 }
 
 /// Draws a half of a sheet, from the middle to its border.

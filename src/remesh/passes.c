@@ -219,9 +219,12 @@ static tf_status smooth_vertex(tf_remesher *remesher, int vertex)
     if (status != TF_OK)
         return status;
     tf_remesher_count(remesher, TF_SMOOTH, outcome);
-    return outcome == TF_COMMITTED
-               ? trace(remesher, vertex, vertex, vertex, false)
-               : TF_OK;
+    if (outcome != TF_COMMITTED)
+        return TF_OK;
+    bool sharp = tf_freedom_of(&remesher->sharp, vertex) != TF_FREE;
+    if (sharp)
+        tf_sharp_edges_slide(&remesher->sharp, remesher->surface, vertex);
+    return trace(remesher, vertex, vertex, vertex, sharp);
 }
 
 //: Smooth all vertices

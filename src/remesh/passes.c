@@ -26,6 +26,8 @@ static tf_status split_sharp(tf_remesher *remesher, const tf_edge_row *edge,
     tf_sharp_edges *all = &remesher->sharp;
     bool good = tf_sharp_edges_extend(all, remesher->surface->vertices) &&
                 (!sharp || tf_sharp_edges_split(all, edge->a, edge->b, vertex));
+    if (good && sharp)
+        tf_sharp_edges_slide(all, remesher->surface, vertex);
     return good ? TF_OK : TF_OUT_OF_MEMORY;
 }
 

@@ -30,4 +30,7 @@ uint64_t adaptive_hash(const tf_adaptive_surface *surface);
 /// Whether there is a triangle with these vertices, in this orientation.
 int has_triangle(const tf_adaptive_surface *surface, int a, int b, int c);
 
+/// A prism of height 1 over a regular polygon of radius 1; at most 64 sides.
+tf_adaptive_surface *adaptive_prism(int sides);
+
 #endif

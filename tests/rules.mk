@@ -54,7 +54,8 @@ $(scenic): LIBRARIES = $(YAML)
 $(BUILD)/tests/threads/threads: LIBRARIES = -Wl,--wrap=malloc \
 	-Wl,--wrap=pthread_create
 $(BUILD)/tests/whole/cancelling: LIBRARIES = -Wl,--wrap=tf_side \
-	-Wl,--wrap=tf_nearest_points -Wl,--wrap=tf_dynamic_tree_find \
+	-Wl,--wrap=tf_nearest_points -Wl,--wrap=tf_squared_distance \
+	-Wl,--wrap=tf_dynamic_tree_find \
 	-Wl,--wrap=tf_find_edge -Wl,--wrap=tf_watch_done
 
 # These see what users see.

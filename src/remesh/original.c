@@ -60,48 +60,12 @@ static tf_point_pair nearest_of(nearest_search *search, int triangle)
     return tf_nearest_points(1, 3, search->x);
 }
 
-/// Whether rounding leaves nothing of a triangle's normal.
-static bool is_sliver(const tf_shape *shape, double area2)
-{
-    tf_vector side = tf_vector_difference(shape->corner[1], shape->corner[0]);
-    tf_vector other = tf_vector_difference(shape->corner[2], shape->corner[0]);
-    double length2 = tf_vector_dot(side, side) + tf_vector_dot(other, other);
-    return !(area2 > 0x1p-60 * length2 * length2);
-}
-
-/// The square of the distance from the start of an edge, less what is along it.
-static double squared_from_edge(tf_vector edge, tf_vector gap)
-{
-    double along = tf_vector_dot(gap, edge),
-           length2 = tf_vector_dot(edge, edge);
-    double part = along <= 0 ? 0 : along >= length2 ? 1 : along / length2;
-    gap = tf_vector_sum(gap, -part, edge);
-    return tf_vector_dot(gap, gap);
-}
-
-/// From the edges that the point is beyond, or else from the plane.  This is
-/// asked more often than anything else, so that it has its own arithmetic.
 static double squared_distance(void *context, int triangle)
 {
     nearest_search *search = context;
     tf_shape shape = tf_shape_of(search->original->surface, triangle);
-    tf_vector normal = tf_shape_normal(&shape), gap = {{0}};
-    double area2 = tf_vector_dot(normal, normal), least = INFINITY;
-    if (is_sliver(&shape, area2)) {
-        double distance = nearest_of(search, triangle).distance;
-        return distance * distance;
-    }
-    for (int i = 0; i < 3; i++) {
-        tf_vector edge =
-            tf_vector_difference(shape.corner[(i + 1) % 3], shape.corner[i]);
-        gap = tf_vector_difference(search->x[0], shape.corner[i]);
-        if (tf_vector_dot(tf_vector_cross(edge, gap), normal) < 0) {
-            double from_edge = squared_from_edge(edge, gap);
-            least = from_edge < least ? from_edge : least;
-        }
-    }
-    double height = tf_vector_dot(gap, normal);
-    return isfinite(least) ? least : height * height / area2;
+    memcpy(search->x + 1, shape.corner, sizeof shape.corner);
+    return tf_squared_distance(search->x);
 }
 
 //: Find the nearest point of the original

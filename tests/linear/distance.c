@@ -178,8 +178,8 @@ START_TEST(coordinates_reach_a_bound_that_they_equal)
 }
 END_TEST
 
-// The square is that of the nearest points' distance, for triangles of all shapes,
-// from fat ones to those without area.
+// The square is that of the nearest points' distance, for triangles of all
+// shapes, from fat ones to those without area.
 START_TEST(the_squared_distance_is_that_of_the_nearest_point)
 {
     generator random = generator_new((uint64_t)_i);

@@ -6,8 +6,8 @@
 // goes on until COUNT operations are done, in scenes of the streams of random
 // numbers FROM on of TF_SEED's.  The surface must not intersect itself, its
 // corners must be where they were, bit for bit, and each sharp edge must be an
-// edge, and at least 0.999 as long as what it stands for.  Prints each fault, with
-// the stream that repeats it.
+// edge, and at least 0.999 as long as what it stands for.  Prints each fault,
+// with the stream that repeats it.
 #include "remesh/keep_shape.h"
 #include "remesh/passes.h"
 #include "remesh/sizes.h"

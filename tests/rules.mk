@@ -54,7 +54,8 @@ $(scenic): LIBRARIES = $(YAML)
 $(BUILD)/tests/threads/threads: LIBRARIES = -Wl,--wrap=malloc \
 	-Wl,--wrap=pthread_create
 $(BUILD)/tests/whole/cancelling: LIBRARIES = -Wl,--wrap=tf_side \
-	-Wl,--wrap=tf_nearest_points -Wl,--wrap=tf_dynamic_tree_find \
+	-Wl,--wrap=tf_nearest_points -Wl,--wrap=tf_squared_distance \
+	-Wl,--wrap=tf_dynamic_tree_find \
 	-Wl,--wrap=tf_find_edge -Wl,--wrap=tf_watch_done
 
 # These see what users see.
@@ -174,6 +175,10 @@ soak-surgery: COUNT = 500000
 soak-surgery: $(BUILD)/tests/soak/surgery ## try COUNT=500000 operations on surfaces
 	@$< $(COUNT) $(FROM)
 
+soak-remeshing: COUNT = 200000
+soak-remeshing: $(BUILD)/tests/soak/remeshing ## judge COUNT=200000 operations with sharp edges
+	@$< $(COUNT) $(FROM)
+
 soak-topology: COUNT = 100000
 soak-topology: $(BUILD)/tests/soak/topology ## merge and pinch among COUNT=100000 operations
 	@$< $(COUNT) $(FROM)
@@ -190,5 +195,5 @@ soak-zones: $(BUILD)/tests/soak/zones ## resolve COUNT=10000 steps from tangled 
 soak-scenes: $(BUILD)/tests/soak/scenes ## simulate all scenes, and judge every step
 	@$<
 
-.PHONY: soak soak-vectors soak-response soak-surgery soak-topology \
+.PHONY: soak soak-vectors soak-response soak-surgery soak-remeshing soak-topology \
 	soak-scales soak-zones soak-scenes

@@ -217,3 +217,47 @@ tf_point_pair tf_nearest_points(int vertices, int others, const tf_vector x[])
     return vertices == 3 ? nearest_of_triangles(x)
                          : nearest_of_four(vertices, others, x);
 }
+
+//: Find the distance of a point from a triangle
+/// Whether rounding leaves little of a triangle's normal, whose square is
+/// `area2`.
+static bool is_sliver(const tf_vector x[4], double area2)
+{
+    tf_vector side = tf_vector_difference(x[2], x[1]);
+    tf_vector other = tf_vector_difference(x[3], x[1]);
+    double length2 = tf_vector_dot(side, side) + tf_vector_dot(other, other);
+    return !(area2 > 0x1p-60 * length2 * length2);
+}
+
+/// The square of the distance from an edge, at whose start the gap begins.
+static double squared_from_edge(tf_vector edge, tf_vector gap)
+{
+    double along = tf_vector_dot(gap, edge);
+    double length2 = tf_vector_dot(edge, edge);
+    double part = along <= 0 ? 0 : along >= length2 ? 1 : along / length2;
+    gap = tf_vector_sum(gap, -part, edge);
+    return tf_vector_dot(gap, gap);
+}
+
+/// From the edges that the point is beyond, or else from the plane.
+double tf_squared_distance(const tf_vector x[4])
+{
+    tf_vector normal = tf_vector_cross(tf_vector_difference(x[2], x[1]),
+                                       tf_vector_difference(x[3], x[1]));
+    tf_vector gap = {{0}};
+    double area2 = tf_vector_dot(normal, normal), least = INFINITY;
+    if (is_sliver(x, area2)) {
+        double distance = tf_nearest_points(1, 3, x).distance;
+        return distance * distance;
+    }
+    for (int i = 0; i < 3; i++) {
+        tf_vector edge = tf_vector_difference(x[1 + (i + 1) % 3], x[1 + i]);
+        gap = tf_vector_difference(x[0], x[1 + i]);
+        if (tf_vector_dot(tf_vector_cross(edge, gap), normal) < 0) {
+            double from_edge = squared_from_edge(edge, gap);
+            least = from_edge < least ? from_edge : least;
+        }
+    }
+    double height = tf_vector_dot(gap, normal);
+    return isfinite(least) ? least : height * height / area2;
+}

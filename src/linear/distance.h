@@ -22,6 +22,10 @@ typedef struct tf_point_pair {
 /// the elements are.  Where products overflow the distance is infinite.
 tf_point_pair tf_nearest_points(int vertices, int others, const tf_vector x[]);
 
+/// The square of the distance of a point x[0] from a triangle x[1..3], up to
+/// rounding: faster than to look for the nearest point.
+double tf_squared_distance(const tf_vector x[4]);
+
 //: Declare the coordinates where elements cross
 /// The barycentric coordinates at which the lines or planes of two elements (1
 /// + 2, 1 + 3 or 2 + 2 vertices) are nearest, negative ones included: those of

@@ -51,6 +51,7 @@ void tf_original_free(tf_original *original)
 typedef struct nearest_search {
     const tf_original *original;
     tf_vector x[4]; ///< the point, and the corners of a triangle
+    double least;   ///< the square of the least distance so far
 } nearest_search;
 
 static tf_point_pair nearest_of(nearest_search *search, int triangle)
@@ -60,16 +61,25 @@ static tf_point_pair nearest_of(nearest_search *search, int triangle)
     return tf_nearest_points(1, 3, search->x);
 }
 
+/// What is clearly not the nearest needn't be measured well.
 static double squared_distance(void *context, int triangle)
 {
-    double distance = nearest_of(context, triangle).distance;
+    nearest_search *search = context;
+    tf_shape shape = tf_shape_of(search->original->surface, triangle);
+    memcpy(search->x + 1, shape.corner, sizeof shape.corner);
+    double roughly = tf_squared_distance(search->x);
+    if (roughly > 1.001 * search->least)
+        return roughly;
+    double distance = tf_nearest_points(1, 3, search->x).distance;
+    search->least = fmin(search->least, distance * distance);
     return distance * distance;
 }
 
 //: Find the nearest point of the original
 tf_projection tf_original_project(tf_original *original, tf_vector point)
 {
-    nearest_search search = {.original = original, .x = {point}};
+    nearest_search search = {
+        .original = original, .x = {point}, .least = INFINITY};
     tf_projection found = {.point = point, .distance = INFINITY};
     double least;
     int triangle = tf_dynamic_tree_nearest(&original->tree, point.x,

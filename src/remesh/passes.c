@@ -26,6 +26,8 @@ static tf_status split_sharp(tf_remesher *remesher, const tf_edge_row *edge,
     tf_sharp_edges *all = &remesher->sharp;
     bool good = tf_sharp_edges_extend(all, remesher->surface->vertices) &&
                 (!sharp || tf_sharp_edges_split(all, edge->a, edge->b, vertex));
+    if (good && sharp)
+        tf_sharp_edges_slide(all, remesher->surface, vertex);
     return good ? TF_OK : TF_OUT_OF_MEMORY;
 }
 
@@ -248,9 +250,12 @@ static tf_status smooth_vertex(tf_remesher *remesher, int vertex)
     if (status != TF_OK)
         return status;
     tf_remesher_count(remesher, TF_SMOOTH, outcome);
-    return outcome == TF_COMMITTED
-               ? trace(remesher, vertex, vertex, vertex, false)
-               : TF_OK;
+    if (outcome != TF_COMMITTED)
+        return TF_OK;
+    bool sharp = tf_freedom_of(&remesher->sharp, vertex) != TF_FREE;
+    if (sharp)
+        tf_sharp_edges_slide(&remesher->sharp, remesher->surface, vertex);
+    return trace(remesher, vertex, vertex, vertex, sharp);
 }
 
 //: Smooth all vertices

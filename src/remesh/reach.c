@@ -20,7 +20,7 @@ typedef struct piece {
 
 typedef struct reach_search {
     tf_original *original;
-    double fine;
+    double fine, enough;
     tf_watch *watch;
     int pieces; ///< so far
     tf_reach found;
@@ -123,7 +123,7 @@ static bool is_enclosed(const reach_search *search, double most, int cuts)
 {
     const tf_reach *found = &search->found;
     return most <= fmax(found->least * 1.01, found->least + search->fine) ||
-           most <= found->most || cuts == MOST_CUTS ||
+           most <= fmax(found->most, search->enough) || cuts == MOST_CUTS ||
            search->pieces >= MOST_PIECES;
 }
 
@@ -155,6 +155,17 @@ static bool divide(const piece *whole, const tf_shape *below, tf_vector middle,
     return cut(whole, &plane, part);
 }
 
+/// The corners of a triangle tell how far it reaches at least.  Most triangles
+/// are enclosed without them.
+static void look_at_corners(reach_search *search, const piece *whole)
+{
+    for (int i = 0; i < whole->corners; i++) {
+        double far =
+            tf_original_project(search->original, whole->corner[i]).distance;
+        search->found.least = fmax(search->found.least, far);
+    }
+}
+
 enum {
     WATCHED = 16 ///< pieces, or triangles, between two looks at the watch
 };
@@ -166,12 +177,16 @@ static void enclose(reach_search *search, const piece *whole, int cuts)
         return;
     tf_vector middle = middle_of(whole);
     tf_projection below = tf_original_project(search->original, middle);
+    search->found.least = fmax(search->found.least, below.distance);
+    if (!isfinite(below.distance))
+        return;
     tf_shape shape =
         tf_shape_of(search->original->surface, below.origin.triangle);
     double most;
     tf_vector farthest = find_farthest(whole, &shape, &most);
     search->pieces++;
-    search->found.least = fmax(search->found.least, below.distance);
+    if (cuts == 0 && !is_enclosed(search, most, cuts))
+        look_at_corners(search, whole);
     piece part[2];
     if (is_enclosed(search, most, cuts) ||
         !divide(whole, &shape, middle, farthest, part)) {
@@ -183,39 +198,50 @@ static void enclose(reach_search *search, const piece *whole, int cuts)
 }
 
 //: Enclose the reach of a triangle
+static tf_reach reach_of(reach_search *search, const tf_shape *triangle)
+{
+    piece whole = {.corners = 3};
+    memcpy(whole.corner, triangle->corner, sizeof triangle->corner);
+    search->pieces = 0;
+    search->found = (tf_reach){0};
+    enclose(search, &whole, 0);
+    search->found.most = fmax(search->found.most, search->found.least);
+    return search->found;
+}
+
 tf_reach tf_triangle_reach(tf_original *original, const tf_shape *triangle,
                            double fine, tf_watch *watch)
 {
     reach_search search = {.original = original, .fine = fine, .watch = watch};
-    piece whole = {.corners = 3};
-    memcpy(whole.corner, triangle->corner, sizeof triangle->corner);
-    for (int i = 0; i < 3; i++) {
-        double far = tf_original_project(original, whole.corner[i]).distance;
-        search.found.least = fmax(search.found.least, far);
-    }
-    if (isfinite(search.found.least))
-        enclose(&search, &whole, 0);
-    search.found.most = fmax(search.found.most, search.found.least);
-    return search.found;
+    return reach_of(&search, triangle);
 }
 
 //: Enclose the reach of a surface
+/// What no triangle needs to be told apart from, when only the greatest of all
+/// is wanted.
+static double known_of(const tf_reach *all, double fine)
+{
+    return fmax(all->most, fmax(all->least * 1.01, all->least + fine));
+}
+
 tf_reach tf_surface_reach(tf_original *original,
                           const tf_adaptive_surface *surface, double fine,
-                          double each[], tf_watch *watch)
+                          tf_reach_each *each, tf_watch *watch)
 {
     tf_reach all = {0};
+    reach_search search = {.original = original, .fine = fine, .watch = watch};
     for (int t = 0; t < surface->triangles; t++) {
         if (t % WATCHED == 0 && !tf_watch_done(watch, WATCHED))
             return all;
         if (!tf_is_triangle(surface, t))
             continue;
         tf_shape shape = tf_shape_of(surface, t);
-        tf_reach own = tf_triangle_reach(original, &shape, fine, watch);
+        search.enough = each ? each->enough : known_of(&all, fine);
+        tf_reach own = reach_of(&search, &shape);
         all.least = fmax(all.least, own.least);
         all.most = fmax(all.most, own.most);
         if (each)
-            each[t] = own.most;
+            each->most[t] = own.most;
     }
     return all;
 }

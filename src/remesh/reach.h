@@ -18,8 +18,15 @@ typedef struct tf_reach {
 tf_reach tf_triangle_reach(tf_original *original, const tf_shape *triangle,
                            double fine, tf_watch *watch);
 
+/// What is wanted of each triangle of a surface.
+typedef struct tf_reach_each {
+    double *most;  ///< how far it reaches at most
+    double enough; ///< distances up to this needn't be told apart
+} tf_reach_each;
+
 /// Encloses that of all triangles of a surface.
-/// @param[out] each `most` of each triangle; may be NULL
+/// @param[out] each may be NULL, and then only the greatest distance is looked
+///     for, which is much faster
 tf_reach tf_surface_reach(tf_original *original,
                           const tf_adaptive_surface *surface, double fine,
-                          double each[], tf_watch *watch);
+                          tf_reach_each *each, tf_watch *watch);

@@ -163,10 +163,12 @@ static tf_status do_all(tf_remesher *remesher, tf_sizes *sizes,
     if (status == TF_OK)
         status = measure_quality(remesher->surface, &report->least_after,
                                  &report->mean_after);
-    // With a bound the measure must be as fine as when that was kept.
     double fine = error > 0 ? error / 100 : 1e-4 * remesher->edge;
     if (status == TF_OK)
         status = measure_distance(remesher, fine);
+    // A bound has been kept, however coarsely that is measured now.
+    if (status == TF_OK && error > 0)
+        report->most_distance = fmin(report->most_distance, options->error);
     return status == TF_OK
                ? tf_corner_origins_find(remesher, &remesher->corner_origin)
                : status;

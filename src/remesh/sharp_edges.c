@@ -359,6 +359,37 @@ tf_freedom tf_freedom_of(const tf_sharp_edges *all, int vertex)
     return *first_of(all, vertex) == TF_NONE ? TF_FREE : TF_ALONG_SHARP_EDGE;
 }
 
+//: Find the sharp edges along which a vertex moves
+tf_sharp_pair tf_sharp_edges_along(const tf_sharp_edges *all, int vertex)
+{
+    const tf_sharp_link *first = link_of(all, *first_of(all, vertex));
+    return (tf_sharp_pair){{first, link_of(all, first->next)}};
+}
+
+/// Both links of an edge have its length.
+static void set_length(tf_sharp_edges *all, int a, int b, double length)
+{
+    for (int i = 0; i < 2; i++) {
+        int link = *first_of(all, i ? a : b);
+        while (link_of(all, link)->to != (i ? b : a))
+            link = link_of(all, link)->next;
+        link_of(all, link)->length = length;
+    }
+}
+
+void tf_sharp_edges_slide(tf_sharp_edges *all,
+                          const tf_adaptive_surface *surface, int vertex)
+{
+    tf_sharp_pair pair = tf_sharp_edges_along(all, vertex);
+    int end[] = {pair.link[0]->to, pair.link[1]->to};
+    double whole = pair.link[0]->length + pair.link[1]->length;
+    double length[] = {tf_length_of(surface, vertex, end[0]),
+                       tf_length_of(surface, vertex, end[1])};
+    for (int i = 0; i < 2; i++)
+        set_length(all, vertex, end[i],
+                   whole * length[i] / (length[0] + length[1]));
+}
+
 //: Let the freer vertex go
 /// Whether the sharp edge that two others become is a new one and long enough,
 /// if a vertex between these two goes to an end of one.

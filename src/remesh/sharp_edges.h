@@ -65,6 +65,13 @@ typedef enum tf_freedom {
 
 tf_freedom tf_freedom_of(const tf_sharp_edges *all, int vertex);
 
+/// The sharp edges along which a vertex of that freedom may move.
+typedef struct tf_sharp_pair {
+    const tf_sharp_link *link[2];
+} tf_sharp_pair;
+
+tf_sharp_pair tf_sharp_edges_along(const tf_sharp_edges *all, int vertex);
+
 /// The sharp edge between two vertices, or NULL.
 const tf_sharp_link *tf_find_sharp_edge(const tf_sharp_edges *all, int a,
                                         int b);
@@ -84,6 +91,11 @@ bool tf_sharp_edges_add(tf_sharp_edges *all, int a, int b, double length);
 
 /// Hands on the sharp edges of a vertex that has gone to another one.
 void tf_sharp_edges_collapse(tf_sharp_edges *all, int from, int to);
+
+/// Divides what two sharp edges stand for anew, in proportion to their lengths:
+/// the vertex between them has moved along them.
+void tf_sharp_edges_slide(tf_sharp_edges *all,
+                          const tf_adaptive_surface *surface, int vertex);
 
 /// Makes sharp edges the same as others.  False if there is no memory.
 bool tf_sharp_edges_copy(tf_sharp_edges *all, const tf_sharp_edges *from);

@@ -116,18 +116,25 @@ bool tf_sizes_begin_for(tf_sizes *sizes, tf_remesher *remesher, double error)
 }
 
 //: Note where surfaces are apart
+/// A search for distances up to a bound.  Below `enough` they change no size.
+typedef struct size_search {
+    double fine, enough, most;
+} size_search;
+
 /// The worst distances of the triangles at each vertex of the original.
-static tf_status note_back(tf_sizes *sizes, tf_remesher *remesher, double fine,
-                           double *most)
+static tf_status note_back(tf_sizes *sizes, tf_remesher *remesher,
+                           size_search *search)
 {
     const tf_adaptive_surface *before = remesher->original.surface;
     tf_watch *watch = remesher->surface->watch;
     tf_original now = {0};
     double *error = sizes->error.data, *worst = sizes->worst.data;
+    tf_reach_each each = {error, search->enough};
     tf_status status = tf_original_begin(&now, remesher->surface, watch);
     if (status == TF_OK)
-        *most = fmax(*most,
-                     tf_surface_reach(&now, before, fine, error, watch).most);
+        search->most = fmax(
+            search->most,
+            tf_surface_reach(&now, before, search->fine, &each, watch).most);
     tf_original_free(&now);
     if (status == TF_OK && tf_watch_cancelled(watch))
         return TF_CANCELLED;
@@ -140,15 +147,16 @@ static tf_status note_back(tf_sizes *sizes, tf_remesher *remesher, double fine,
 }
 
 /// Those of the new triangles, where their vertices come from.
-static void note_forth(tf_sizes *sizes, tf_remesher *remesher, double fine,
-                       double *most)
+static void note_forth(tf_sizes *sizes, tf_remesher *remesher,
+                       size_search *search)
 {
     const tf_adaptive_surface *after = remesher->surface;
     const tf_origin *origin = remesher->trace.origin.data;
     double *error = sizes->error.data, *worst = sizes->worst.data;
-    tf_reach all =
-        tf_surface_reach(&remesher->original, after, fine, error, after->watch);
-    *most = fmax(*most, all.most);
+    tf_reach_each each = {error, search->enough};
+    tf_reach all = tf_surface_reach(&remesher->original, after, search->fine,
+                                    &each, after->watch);
+    search->most = fmax(search->most, all.most);
     if (tf_watch_cancelled(after->watch))
         return;
     for (int c = 0; c < 3 * after->triangles; c++) {
@@ -162,13 +170,22 @@ static void note_forth(tf_sizes *sizes, tf_remesher *remesher, double fine,
 }
 
 //: Adapt sizes to a distance
+/// The most by which a length grows.
+static const double growth = 1.5;
+
 /// The distance grows with the square of the length.
 static double factor_for(double error, double worst, bool shrink)
 {
     double factor = sqrt(0.8 * error / worst);
     if (shrink)
         return worst > error ? fmin(fmax(factor, 0.5), 0.8) : 1;
-    return fmin(fmax(factor, 0.5), 1.5);
+    return fmin(fmax(factor, 0.5), growth);
+}
+
+/// How near is near enough for lengths to grow as much as they may, or to stay.
+static double enough_for(double error, bool shrink)
+{
+    return shrink ? error : 0.8 * error / (growth * growth);
 }
 
 tf_status tf_sizes_adapt(tf_sizes *sizes, tf_remesher *remesher, double error,
@@ -182,11 +199,12 @@ tf_status tf_sizes_adapt(tf_sizes *sizes, tf_remesher *remesher, double error,
         return TF_OUT_OF_MEMORY;
     double *target = sizes->target.data, *worst = sizes->worst.data;
     memset(worst, 0, sizeof *worst * (size_t)before->vertices);
-    *most = 0;
-    note_forth(sizes, remesher, error / 100, most);
+    size_search search = {error / 100, enough_for(error, shrink), 0};
+    note_forth(sizes, remesher, &search);
     tf_status status = tf_watch_cancelled(remesher->surface->watch)
                            ? TF_CANCELLED
-                           : note_back(sizes, remesher, error / 100, most);
+                           : note_back(sizes, remesher, &search);
+    *most = search.most;
     for (int v = 0; v < before->vertices && status == TF_OK; v++)
         target[v] = fmin(target[v] * factor_for(error, worst[v], shrink),
                          remesher->edge);

@@ -240,21 +240,21 @@ static tf_origin find_origin(trace_search *search, const tf_placement *placed)
 }
 
 //: Find a point of a sharp edge
-tf_vector tf_trace_sharp_point(tf_trace *trace,
-                               const tf_adaptive_surface *surface,
-                               const int between[2], tf_vector point)
+bool tf_trace_sharp_point(tf_trace *trace, const tf_adaptive_surface *surface,
+                          const int between[2], tf_vector *point)
 {
     if (!tf_trace_goes(trace))
-        return point;
+        return false;
     trace_search search = {.trace = trace,
                            .original = trace->original->surface,
                            .watch = surface->watch,
-                           .point = point};
+                           .point = *point};
     search.radius = radius_of(&search, between);
     run_search(&search, between, search_sharp_edges);
-    return search.nearest.distance <= search.radius / 3
-               ? point_of(&search, &search.nearest.origin)
-               : point;
+    if (!(search.nearest.distance <= search.radius / 3))
+        return false;
+    *point = point_of(&search, &search.nearest.origin);
+    return true;
 }
 
 //: Recognize the nearest point of all

@@ -41,11 +41,10 @@ typedef struct tf_placement {
                      ///< is where the vertex is
 } tf_placement;
 
-/// The point of the original's sharp edges that is nearest to a point between
-/// two vertices on them, or the point itself.
-tf_vector tf_trace_sharp_point(tf_trace *trace,
-                               const tf_adaptive_surface *surface,
-                               const int between[2], tf_vector point);
+/// Moves a point between two vertices on sharp edges to the nearest point of the
+/// original's.  False if there is none near, and then the point stays.
+bool tf_trace_sharp_point(tf_trace *trace, const tf_adaptive_surface *surface,
+                          const int between[2], tf_vector *point);
 
 /// Finds out where a vertex comes from.  False if there is no memory.
 bool tf_trace_place(tf_trace *trace, const tf_adaptive_surface *surface,

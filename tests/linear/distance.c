@@ -178,6 +178,33 @@ START_TEST(coordinates_reach_a_bound_that_they_equal)
 }
 END_TEST
 
+// The square is that of the nearest points' distance, for triangles of all
+// shapes, from fat ones to those without area.
+START_TEST(the_squared_distance_is_that_of_the_nearest_point)
+{
+    generator random = generator_new((uint64_t)_i);
+    double thin = ldexp(1, -6 * _i);
+    for (long i = 0; i < cases(20000); i++) {
+        tf_vector x[4];
+        for (int k = 0; k < 12; k++)
+            x[k / 3].x[k % 3] = uniform(&random, -1, 1);
+        for (int k = 0; k < 3; k++) // toward the first edge
+            x[3].x[k] =
+                x[1].x[k] + 0.375 * (x[2].x[k] - x[1].x[k]) + thin * x[3].x[k];
+        double far = tf_nearest_points(1, 3, x).distance;
+        ck_assert_double_eq_tol(sqrt(tf_squared_distance(x)), far, 1e-7);
+        if (_i == 0)
+            ck_assert_double_eq_tol(tf_squared_distance(x), far * far, 1e-13);
+    }
+    tf_vector right[] = {{{-3, 8, 0}}, {{0, 0, 0}}, {{4, 0, 0}}, {{0, 4, 0}}};
+    ck_assert_double_eq(tf_squared_distance(right), 25);
+    right[0] = (tf_vector){{1, 1, 3}};
+    ck_assert_double_eq(tf_squared_distance(right), 9);
+    right[0] = (tf_vector){{2, -3, 4}};
+    ck_assert_double_eq(tf_squared_distance(right), 25);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *s = suite_create("linear/distance");
@@ -191,6 +218,8 @@ Suite *suite(void)
     tcase_add_test(c, products_that_overflow_make_the_distance_infinite);
     tcase_add_test(c, elements_without_size_do_not_cross);
     tcase_add_test(c, coordinates_reach_a_bound_that_they_equal);
+    tcase_add_loop_test(c, the_squared_distance_is_that_of_the_nearest_point, 0,
+                        8);
     suite_add_tcase(s, c);
     return s;
 }

@@ -171,6 +171,31 @@ START_TEST(vertices_go_to_the_middles_of_their_stars)
 }
 END_TEST
 
+START_TEST(vertices_slide_along_the_boundary)
+{
+    static const double off[] = {1.5, 0, 0};
+    tf_adaptive_surface *sheet = adaptive_sheet(2, 2);
+    tf_vertex_put(sheet, 1, off);
+    tf_remesher *remesher = begin(sheet, 1);
+    ck_assert(tf_trace_begin(&remesher->trace, &remesher->original,
+                             &remesher->sharp_before));
+    make_pass(remesher, TF_SMOOTH);
+    ck_assert_double_eq(coordinates_of(sheet, 1)[0], 1);
+    ck_assert_double_eq(coordinates_of(sheet, 1)[1], 0);
+    ck_assert_double_eq(tf_find_sharp_edge(&remesher->sharp, 1, 2)->length, 1);
+    // It comes from the edge, at two thirds from its start.
+    const tf_origin *origin =
+        (const tf_origin *)remesher->trace.origin.data + 1;
+    const int *corner =
+        tf_triangle(remesher->original.surface, origin->triangle);
+    for (int i = 0; i < 3; i++) {
+        double weight = corner[i] < 2 ? (1 + corner[i]) / 3.0 : 0;
+        ck_assert_double_eq_tol(origin->barycentric[i], weight, 1e-15);
+    }
+    remesher_end(remesher);
+}
+END_TEST
+
 // Rounds ----------------------------------------------------------------------
 
 /// How many splits so many passes make.
@@ -234,6 +259,7 @@ Suite *suite(void)
     tcase_add_test(tcase, edges_that_are_bent_do_not_flip);
     tcase_add_test(tcase, diagonals_of_squares_do_not_flip);
     tcase_add_test(tcase, vertices_go_to_the_middles_of_their_stars);
+    tcase_add_test(tcase, vertices_slide_along_the_boundary);
     tcase_add_test(
         tcase, a_round_repeats_a_pass_until_it_does_nothing_or_often_enough);
     tcase_add_test(tcase, what_a_policy_does_not_choose_is_not_tried);

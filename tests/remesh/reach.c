@@ -120,11 +120,18 @@ START_TEST(surfaces_reach_as_far_as_their_triangles)
     tf_adaptive_surface *sheet = adaptive_sheet(3, 3);
     tf_adaptive_surface *other = adaptive_of(3, position, 1, triangle);
     begin(sheet);
-    double each[1];
-    tf_reach found = tf_surface_reach(&original, other, 1e-3, each, NULL);
+    double most[1];
+    tf_reach_each each = {most, 0};
+    tf_reach found = tf_surface_reach(&original, other, 1e-3, &each, NULL);
     ck_assert_double_eq(found.least, 0.5);
     ck_assert_double_eq_tol(found.most, 0.5, 0.01);
-    ck_assert_double_eq(each[0], found.most);
+    ck_assert_double_eq(most[0], found.most);
+    // Where less is enough, the bound is still one.
+    each.enough = 0.75;
+    found = tf_surface_reach(&original, other, 1e-3, &each, NULL);
+    ck_assert_double_ge(most[0], 0.5);
+    ck_assert_double_le(most[0], 0.75);
+    ck_assert_double_eq(most[0], found.most);
     tf_original_free(&original);
     begin(other);
     found = tf_surface_reach(&original, sheet, 1e-3, NULL, NULL);

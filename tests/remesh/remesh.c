@@ -220,34 +220,6 @@ END_TEST
 
 // Sharp edges -----------------------------------------------------------------
 
-/// A prism of height 1 over a regular polygon of radius 1.
-static tf_adaptive_surface *prism(int sides)
-{
-    static double x[2 * 64][3];
-    static int triangle[3 * 4 * 64];
-    int count = 0;
-    for (int i = 0; i < sides; i++)
-        for (int k = 0; k < 2; k++) {
-            double angle = 2 * acos(-1) * i / sides;
-            double *at = x[i + k * sides];
-            at[0] = cos(angle);
-            at[1] = sin(angle);
-            at[2] = k;
-        }
-    for (int i = 0; i < sides; i++) {
-        int next = (i + 1) % sides;
-        const int wall[] = {i, next, next + sides, i, next + sides, i + sides};
-        memcpy(triangle + 3 * count, wall, sizeof wall);
-        count += 2;
-    }
-    for (int i = 1; i + 1 < sides; i++) {
-        const int caps[] = {0, i + 1, i, sides, sides + i, sides + i + 1};
-        memcpy(triangle + 3 * count, caps, sizeof caps);
-        count += 2;
-    }
-    return adaptive_of(2 * sides, x, count, triangle);
-}
-
 /// How long the edges are at which a surface turns by more than 20 degrees.
 static double sharp_length(const tf_adaptive_surface *surface)
 {
@@ -278,8 +250,8 @@ START_TEST(prisms_keep_their_edges)
     static const double edges[] = {0.07, 0.2, 0.6, 2};
     for (int sides = 3; sides < 13; sides++)
         for (int i = 0; i < 4; i++) {
-            tf_adaptive_surface *surface = prism(sides);
-            tf_adaptive_surface *before = prism(sides);
+            tf_adaptive_surface *surface = adaptive_prism(sides);
+            tf_adaptive_surface *before = adaptive_prism(sides);
             tf_remesh_options how = {.edge = edges[i]};
             const tf_remesh_report *report;
             ck_assert_int_eq(tf_adaptive_remesh(surface, &how, &report, NULL),
@@ -301,7 +273,7 @@ START_TEST(the_crease_angle_decides)
 {
     // The sides of a prism of 20 turn by 18 degrees.
     for (int i = 0; i < 2; i++) {
-        tf_adaptive_surface *surface = prism(20);
+        tf_adaptive_surface *surface = adaptive_prism(20);
         tf_remesh_options how = {
             .size = sizeof how, .edge = 0.13, .crease = i ? 19 : 17};
         const tf_remesh_report *report;

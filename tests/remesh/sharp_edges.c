@@ -291,6 +291,27 @@ START_TEST(a_loop_stays_a_loop)
 }
 END_TEST
 
+// Vertex 1 goes from the middle of the first two edges on.
+START_TEST(sliding_divides_two_edges_anew)
+{
+    static const double place[] = {1.5, 0, 0};
+    tf_adaptive_surface *sheet = adaptive_sheet(3, 3);
+    find(sheet, 0, NULL);
+    tf_sharp_pair pair = tf_sharp_edges_along(&sharp, 1);
+    ck_assert_int_eq(pair.link[0]->to + pair.link[1]->to, 2);
+    tf_vertex_put(sheet, 1, place);
+    tf_sharp_edges_slide(&sharp, sheet, 1);
+    double length;
+    ck_assert_int_eq(count_at(1, 16, &length), 2);
+    ck_assert_double_eq_tol(length, 2, 1e-15);
+    ck_assert_double_eq_tol(tf_find_sharp_edge(&sharp, 0, 1)->length, 1.5,
+                            1e-15);
+    ck_assert_int_eq(count_at(0, 16, &length), 2);
+    ck_assert_double_eq_tol(length, 2.5, 1e-15);
+    release(sheet);
+}
+END_TEST
+
 START_TEST(gaps_are_closed)
 {
     tf_adaptive_surface *sheet = adaptive_sheet(2, 2);
@@ -393,6 +414,7 @@ Suite *suite(void)
     tcase_add_test(tcase, a_line_keeps_its_sides);
     tcase_add_test(tcase, a_closed_line_has_two_sides);
     tcase_add_test(tcase, a_loop_stays_a_loop);
+    tcase_add_test(tcase, sliding_divides_two_edges_anew);
     tcase_add_test(tcase, gaps_are_closed);
     tcase_add_test(tcase, the_freer_vertex_collapses);
     tcase_add_test(tcase, no_vertex_leaves_its_sharp_edge);

@@ -3,6 +3,7 @@
 #include "support/hash.h"
 #include "surgery/adaptive_surface.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -101,4 +102,31 @@ void adaptive_freeze(tf_adaptive_surface *surface, int vertex)
         surface->marked = surface->vertices;
     }
     ((bool *)surface->frozen.data)[vertex] = true;
+}
+
+tf_adaptive_surface *adaptive_prism(int sides)
+{
+    static double x[2 * 64][3];
+    static int triangle[3 * 4 * 64];
+    int count = 0;
+    for (int i = 0; i < sides; i++)
+        for (int k = 0; k < 2; k++) {
+            double angle = 2 * acos(-1) * i / sides;
+            double *at = x[i + k * sides];
+            at[0] = cos(angle);
+            at[1] = sin(angle);
+            at[2] = k;
+        }
+    for (int i = 0; i < sides; i++) {
+        int next = (i + 1) % sides;
+        const int wall[] = {i, next, next + sides, i, next + sides, i + sides};
+        memcpy(triangle + 3 * count, wall, sizeof wall);
+        count += 2;
+    }
+    for (int i = 1; i + 1 < sides; i++) {
+        const int caps[] = {0, i + 1, i, sides, sides + i, sides + i + 1};
+        memcpy(triangle + 3 * count, caps, sizeof caps);
+        count += 2;
+    }
+    return adaptive_of(2 * sides, x, count, triangle);
 }

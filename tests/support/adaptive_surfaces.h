@@ -33,4 +33,7 @@ int has_triangle(const tf_adaptive_surface *surface, int a, int b, int c);
 /// Leaves a vertex alone, as if it had a defect.
 void adaptive_freeze(tf_adaptive_surface *surface, int vertex);
 
+/// A prism of height 1 over a regular polygon of radius 1; at most 64 sides.
+tf_adaptive_surface *adaptive_prism(int sides);
+
 #endif

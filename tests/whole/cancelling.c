@@ -24,6 +24,8 @@ tf_point_pair __real_tf_nearest_points(int vertices, int others,
                                        const tf_vector x[]);
 tf_point_pair __wrap_tf_nearest_points(int vertices, int others,
                                        const tf_vector x[]);
+double __real_tf_squared_distance(const tf_vector x[4]);
+double __wrap_tf_squared_distance(const tf_vector x[4]);
 int __real_tf_dynamic_tree_find(tf_dynamic_tree *tree, const tf_aabb *box,
                                 int found[]);
 int __wrap_tf_dynamic_tree_find(tf_dynamic_tree *tree, const tf_aabb *box,
@@ -51,6 +53,12 @@ tf_point_pair __wrap_tf_nearest_points(int vertices, int others,
 {
     note();
     return __real_tf_nearest_points(vertices, others, x);
+}
+
+double __wrap_tf_squared_distance(const tf_vector x[4])
+{
+    note();
+    return __real_tf_squared_distance(x);
 }
 
 int __wrap_tf_dynamic_tree_find(tf_dynamic_tree *tree, const tf_aabb *box,

@@ -16,8 +16,8 @@ enum {
     SCOPE_RINGS = 2,     ///< around what crosses that may pass through anything
     USUAL_ROUNDS = 300,  ///< of an attempt since its crossings were halved
     RELAX_ROUNDS = 4000, ///< of the last one
-    CHECK_EVERY = 4,     ///< of its rounds
-    IDLE_CHECKS = 200    ///< after which it ends
+    CHECK_EVERY = 4,     ///< of its rounds there is a check, at first,
+    CHECK_PARTS = 32     ///< and later when they have grown by such a part
 };
 
 static bool may(const tf_attempts *all, int rung)
@@ -176,9 +176,8 @@ static tf_status attempt(tf_attempts *all, bool toggles)
 static tf_status relax(tf_attempts *all)
 {
     const tf_neighbors *near = &all->tangle.near;
-    for (int round = 0;
-         round < RELAX_ROUNDS && !is_done(all) && all->idle <= IDLE_CHECKS;
-         round++) {
+    int next = 0; // round with a check
+    for (int round = 0; round < RELAX_ROUNDS && !is_done(all); round++) {
         if (!tf_change_begin(&all->change, &all->tangle))
             return TF_OUT_OF_MEMORY;
         if (!tf_smooth(&all->change, &all->tangle, all->x, INT_MAX))
@@ -189,7 +188,10 @@ static tf_status relax(tf_attempts *all)
                                  all->change.move[v]));
         all->rounds++;
         all->rungs |= TF_RUNG_RELAX;
-        tf_status status = round % CHECK_EVERY == 0 ? judge_state(all) : TF_OK;
+        if (round < next)
+            continue;
+        next = round + CHECK_EVERY + round / CHECK_PARTS;
+        tf_status status = judge_state(all);
         if (status != TF_OK)
             return status;
     }

@@ -267,7 +267,7 @@ START_TEST(the_first_bad_query_has_its_status)
     generator random = generator_new((uint64_t)_i);
     batch b = batch_new(BATCH);
     int statuses[TF_BAD_ENVIRONMENT + 1] = {0};
-    for (long i = cases(1000); i > 0; i--) {
+    for (long i = cases_at_least(100, 1000); i > 0; i--) {
         size_t count = 1 + (size_t)below(&random, 150);
         batch_fill(&b, &random, &families[below(&random, FAMILIES)],
                    kind_of(_i), count);

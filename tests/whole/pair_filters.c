@@ -146,7 +146,7 @@ static void try_proposal(generator *random, int number)
 START_TEST(pairs_that_are_kept_never_meet)
 {
     generator random = generator_new(1);
-    int tries = (int)cases(120);
+    int tries = (int)cases_at_least(24, 120);
     for (int i = 0; i < tries; i++)
         try_proposal(&random, i);
     printf("%d steps: %d with contacts, %d by the failsafe, %d from tangled "

@@ -113,7 +113,7 @@ START_TEST(lattice_pairs_are_resolved_or_rejected)
 {
     static const tf_response_options options = {.check_start = true};
     generator random = generator_new(100 + (uint64_t)_i);
-    int rejected = 0, met = 0, tries = (int)cases(500);
+    int rejected = 0, met = 0, tries = (int)cases_at_least(20, 500);
     for (int i = 0; i < tries; i++) {
         tf_response_report report;
         make_lattice_pair(&random, (lattice_pair)_i);
@@ -697,7 +697,7 @@ START_TEST(equal_friction_of_vertices_is_that_of_all)
         {.size = sizeof *levels, .impulse_rounds = 5, .zone_rounds = -1}};
     static double own[PROPOSAL_VERTICES];
     generator random = generator_new(600);
-    int met = 0, count = (int)cases(100);
+    int met = 0, count = (int)cases_at_least(20, 100);
     for (int i = 0; i < count; i++) {
         static proposal copy;
         make_random(&random, i, i % 2);

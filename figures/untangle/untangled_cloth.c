@@ -76,7 +76,7 @@ static void draw_counts(fig_page *page, fig_box box, const fig_untangling *all,
 static void draw(fig_page *page, FILE *numbers)
 {
     const fig_untangling *all = fig_untangling_of("cloth and ball");
-    double t = fig_film_time(page, numbers, 0, -1);
+    double t = fig_film_time(page, numbers, 1.0 / (FIG_FILM_FRAMES - 1), -1);
     double height = fig_page_height(page);
     fig_box box = {0, 2, 238, height - 4};
     fig_cloth_draw(film_of(all), page, box, (int)lrint(t * (FRAMES - 1)),

@@ -124,6 +124,22 @@ START_TEST(no_attempt_has_more_rounds_than_the_caller_gives_it)
 }
 END_TEST
 
+// A flat sheet between a fixed border and a fixed bump has nowhere to go.
+START_TEST(a_relaxation_goes_on_to_its_last_round)
+{
+    tangle_make_bump(&own, 3);
+    for (int v = 0; v < own.mesh.vertices; v++)
+        own.fixed[v] = v >= 169 || v / 13 % 12 == 0 || v % 13 % 12 == 0;
+    try_all(&(tf_untangle_options){.without =
+                                       2 * TF_RUNG_RETURN - 1 - TF_RUNG_RELAX});
+    ck_assert_int_eq(attempts.rungs, TF_RUNG_RELAX);
+    ck_assert_uint_eq(attempts.beyond, 0);
+    ck_assert_uint_gt(attempts.fewest, 0);
+    ck_assert_int_eq(attempts.rounds, 4000);
+    release();
+}
+END_TEST
+
 START_TEST(what_is_beyond_help_is_not_tried)
 {
     tangle_make_bump(&own, 3);
@@ -146,6 +162,7 @@ Suite *suite(void)
     tcase_add_test(tcase, the_best_state_is_kept);
     tcase_add_test(tcase, an_attempt_goes_on_while_it_halves_its_crossings);
     tcase_add_test(tcase, no_attempt_has_more_rounds_than_the_caller_gives_it);
+    tcase_add_test(tcase, a_relaxation_goes_on_to_its_last_round);
     tcase_add_test(tcase, what_is_beyond_help_is_not_tried);
     suite_add_tcase(suite, tcase);
     return suite;
